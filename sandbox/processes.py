@@ -16,7 +16,7 @@ from typing import TypeVar
 
 from sandbox import interrupts
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")

@@ -95,7 +95,7 @@ def test_what_a_page_imports_can_be_imported(page: Path) -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=named)
 def test_every_source_file_that_a_page_names_is_there(page: Path) -> None:
-    """In full, or relative to the folder that the page is about: `joints/assembly.py`."""
+    """In full, or relative to the folder that the page is about: `joints/make_joints.py`."""
     for name in FILE.findall(page.read_text(encoding="utf-8")):
         assert is_there(name), f"{named(page)}: {name}"
 
@@ -113,5 +113,5 @@ def test_an_import_and_a_file_that_are_not_there_are_found() -> None:
     assert IMPORT.findall("    from sandbox.app import theme\n") == [
         "from sandbox.app import theme"
     ]
-    assert FILE.findall("made in `joints/assembly.py`") == ["joints/assembly.py"]
+    assert FILE.findall("made in `joints/make_joints.py`") == ["joints/make_joints.py"]
     assert not is_there("contacts/curved.py")

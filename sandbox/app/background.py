@@ -96,7 +96,7 @@ class Background:
         self._process = self._findings = self._orders = None
 
 
-class Errand:
+class BackgroundTask:
     """Something that has its work done in the background."""
 
     def __init__(self) -> None:

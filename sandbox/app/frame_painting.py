@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app import legend
+from sandbox.app import run_legend
 from sandbox.app.drawing import theme
 from sandbox.app.measuring import probe
 from sandbox.app.observing.earlier_runs import alike
@@ -52,8 +52,8 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
     space.workers.of(Stopwatch).draw(view, space.pen, session)
     below = space.banner.draw(view, space.pen, view.get_rect(), session)
     labels = [run.label(session.values) for run in session.earlier]
-    runs = runs_beside(session)[1] or legend.earlier(labels)
-    legend.draw(view, space.pen, runs, below, space.stage.view.colors)
+    runs = runs_beside(session)[1] or run_legend.earlier(labels)
+    run_legend.draw(view, space.pen, runs, below, space.stage.view.colors)
 
 
 def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:

@@ -47,7 +47,7 @@ class Load:
         return {name: seconds / FRAME for name, seconds in parts.items()}
 
 
-class Allowance:
+class FrameBudget:
     """Measures the time of frames besides their steps, separately for each kind of frame.
 
     While the run plays, one frame in six updates the page, and the next one the part below it.

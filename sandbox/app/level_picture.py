@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import legend
+from sandbox.app import run_legend
 from sandbox.app.cards.checks import checks
 from sandbox.app.cards.energy import energy
 from sandbox.app.drawing import theme
@@ -37,7 +37,7 @@ GRAPH = 90  # px, the height of the graph
 
 
 @dataclass(frozen=True, slots=True)
-class Beside:
+class ComparisonRun:
     """Another run, drawn dashed over the picture's own for comparison."""
 
     level: Level
@@ -51,7 +51,7 @@ def render(
     values: Values,
     at: float | None = None,
     size: tuple[int, int] = SIZE,
-    beside: Beside | None = None,
+    beside: ComparisonRun | None = None,
     *,
     racing: bool = False,
 ) -> pygame.Surface:
@@ -88,12 +88,12 @@ def render(
     _run(session, session.duration * TELLING if at is None else at, stage.watch)
     drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
     stage.draw(drawn, session.trail, session.milestones(), session.companions)
-    legend.draw(drawn, pen, runs_beside(session)[1], own=stage.view.colors)
+    run_legend.draw(drawn, pen, runs_beside(session)[1], own=stage.view.colors)
     _write(picture, session, pen)
     return picture
 
 
-def _session(level: Level, values: Values, beside: Beside | None, racing: bool) -> Session:
+def _session(level: Level, values: Values, beside: ComparisonRun | None, racing: bool) -> Session:
     session = Session(beside.level if beside else level, values)
     if beside:
         whatif.play_over(session, beside.level, level, Changes(effects=beside.variations))
@@ -108,7 +108,7 @@ def save_picture(
     path: Path,
     at: float | None = None,
     size: tuple[int, int] = SIZE,
-    beside: Beside | None = None,
+    beside: ComparisonRun | None = None,
     *,
     racing: bool = False,
 ) -> None:

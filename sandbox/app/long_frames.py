@@ -23,7 +23,7 @@ LONG = 0.25  # s, after which a message is shown
 AGAIN = 0.1  # s, between two looks
 
 
-class HoldUp:
+class LongFrameWatch:
     """Keeps a window responsive during long frames."""
 
     def __init__(self, space: Workspace) -> None:

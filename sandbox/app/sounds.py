@@ -12,7 +12,7 @@ from math import log2
 import numpy as np
 import pygame
 
-from sandbox.app.observing.impacts import Blow
+from sandbox.app.observing.impacts import RecordedImpact
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World
@@ -54,7 +54,7 @@ class Sounds:
         self._rest = 0.0  # s, until tones may start again
         self._known: dict[int, pygame.mixer.Sound] = {}
 
-    def play(self, blows: Sequence[Blow], world: World, seconds: float) -> int:
+    def play(self, blows: Sequence[RecordedImpact], world: World, seconds: float) -> int:
         """Play the hardest of the impacts of a frame of some duration [s], and return how many."""
         self._rest -= seconds
         if not blows or self._rest > 0 or not self._ready():

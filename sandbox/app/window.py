@@ -10,8 +10,8 @@ from sandbox.app.command_actions import CommandActions
 from sandbox.app.events import Events
 from sandbox.app.files.open_level_watch import FileWatch
 from sandbox.app.frame_painting import paint
-from sandbox.app.frame_time import Allowance
-from sandbox.app.long_frames import HoldUp
+from sandbox.app.frame_time import FrameBudget
+from sandbox.app.long_frames import LongFrameWatch
 from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.runs.session import Session
 from sandbox.app.sounds import Sounds
@@ -33,10 +33,10 @@ class Window(Workspace):
         """The commands, by name."""
         self._events = Events(self, self.commands)
         self._watch, self._sounds = FileWatch(), Sounds()
-        self.hold_up = HoldUp(self)
+        self.hold_up = LongFrameWatch(self)
         """Keeps the window responsive during long frames."""
         self._quiet = 0.0  # s since the last event
-        self._allowance, self._stepped = Allowance(), 0.0  # s, in this frame
+        self._allowance, self._stepped = FrameBudget(), 0.0  # s, in this frame
 
     def do(self, command: str) -> None:
         """Execute a command, as its key does."""

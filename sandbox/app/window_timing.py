@@ -17,7 +17,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.window import RATE, Window
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 STARTS = 2
 """The number of starts. The fastest one counts, since disturbances only add."""

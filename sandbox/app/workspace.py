@@ -8,21 +8,21 @@ import pygame
 from sandbox.app.banner import Banner
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
-from sandbox.app.files.preferences import Comfort
+from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_time import Load
 from sandbox.app.level_files import LevelFiles
 from sandbox.app.malloc_tuning import give_back_gaps
-from sandbox.app.measuring.stage_mouse import Hand
+from sandbox.app.measuring.stage_mouse import StageMouse
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import stage_messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.runs import runfile
-from sandbox.app.runs.remedy_search import Advising
+from sandbox.app.runs.remedy_search import RemedySearch
 from sandbox.app.runs.run_recovery import LeftRun, RunRecovery
 from sandbox.app.runs.session import Session
-from sandbox.app.runs.undoing import Undoing
+from sandbox.app.runs.undoing import UndoHistory
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import language, level_translation
 from sandbox.app.words.language import later, say
@@ -56,7 +56,9 @@ class Workspace:
         """The session of the level; None if the level cannot be opened."""
         self.path: Path | None = None
         """The file of the level; None if it has none yet."""
-        self.comfort = Comfort(max((h for _, h in pygame.display.get_desktop_sizes()), default=0))
+        self.comfort = WindowPreferences(
+            max((h for _, h in pygame.display.get_desktop_sizes()), default=0)
+        )
         """The user's preferences."""
         self._followed = self.comfort.chosen
         theme.use(self._followed.theme)
@@ -65,13 +67,13 @@ class Workspace:
         """The pen that renders text."""
         self.stage = Stage(self.pen, size)
         """The picture of the level, with its camera."""
-        self.hand = Hand(self.stage)
+        self.hand = StageMouse(self.stage)
         """The mouse on the stage."""
         self.workers = Workers(PAGES)
         """The background work of the pages."""
         self.load = Load()
         """The time that frames take."""
-        self.advising = Advising()
+        self.advising = RemedySearch()
         """The search for remedies."""
         self.panels = Panels(
             self.pen, size, self.workers, self.load, self.comfort, self.stage.shown
@@ -85,7 +87,7 @@ class Workspace:
         """Whether the window is to stay open."""
         self.files = LevelFiles()
         """The list of levels."""
-        self.undoing = Undoing()
+        self.undoing = UndoHistory()
         """The changes of the run that can be undone."""
         self.recovery = RunRecovery()
         """The file that keeps the run."""

@@ -11,8 +11,8 @@ from sandbox.model import effect_variants
 from sandbox.model.effect_variants import Variation
 from sandbox.model.errors import brief
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.csv_export import Change
+from sandbox.physics.measuring.run_comparison import Difference
 
 _HEADER = ("quantity", "as declared", "changed", "difference")
 

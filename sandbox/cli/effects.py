@@ -14,8 +14,8 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
-from sandbox.physics.measuring.comparison import Difference, differences, watched
 from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.measuring.run_comparison import Difference, differences, watched
 from sandbox.physics.run import costs, simulate
 
 _HEADER = ("effect", "changes most", "with it", "without it", "difference", "costs")

@@ -19,7 +19,7 @@ from sandbox.model.errors import MisuseError, SandboxError, brief
 from sandbox.model.file_writing import folder_of_files
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.optional_packages import needed_for
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from sandbox.experiments.storage import Store
 
 
-class Asked(NamedTuple):
+class ExperimentRequest(NamedTuple):
     """The experiment as typed."""
 
     argument: str
@@ -39,7 +39,9 @@ class Asked(NamedTuple):
     """draws, method, seed, duration, until, rate and scheme, if given"""
 
 
-def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None) -> None:
+def experiment(
+    asked: ExperimentRequest, output: Path, jobs: int | None, address: str | None
+) -> None:
     """Run an experiment, store it in a folder, and write its report."""
     if jobs is not None and not 1 <= jobs <= 1024:
         raise UsageError(f"--jobs {jobs}: must be from 1 to 1024")
@@ -93,7 +95,7 @@ def _kept(plan: "Plan", missing: int) -> str:
     return f"{kept}, and the same command goes on from there"
 
 
-def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> None:
+def fit(asked: ExperimentRequest, names: Sequence[str], data: Path | None, output: Path) -> None:
     """Fit parameters of a level to measured data, and write the result."""
     if asked.vary or asked.measure or set(asked.others) - {"rate", "scheme"}:
         raise UsageError("--fit: nothing is varied, drawn or measured beside it")
@@ -120,7 +122,7 @@ def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> 
     typer.echo(f"{page}: the page of it")
 
 
-def _plan(asked: Asked) -> "Plan":
+def _plan(asked: ExperimentRequest) -> "Plan":
     from sandbox.experiments import catalog
     from sandbox.experiments.experiment_file import made
     from sandbox.experiments.planning import make

@@ -10,7 +10,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.json_document import Document, refuse
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import read
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 NEWEST = 1
 """The newest version of the level format."""

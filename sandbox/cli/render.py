@@ -53,10 +53,10 @@ def render(
         argument_parsing.payable(at, stepping, "--at")
     varied = vary(level, off, on)
     go_headless()
-    from sandbox.app.level_picture import Beside, save_picture
+    from sandbox.app.level_picture import ComparisonRun, save_picture
 
     if varied:
-        beside = Beside(level, varied.variations)
+        beside = ComparisonRun(level, varied.variations)
         save_picture(varied.level, values, output, at=at, beside=beside)
     else:
         save_picture(level, values, output, at=at, racing=racing)

@@ -19,10 +19,10 @@ from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
 from sandbox.physics.accuracy.compared_runs import lasting
 from sandbox.physics.advising.remedy_trials import leaning, tried
-from sandbox.physics.measuring.comparison import Difference, differences
 from sandbox.physics.measuring.csv_export import to_csv
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Trace, needed
+from sandbox.physics.measuring.run_comparison import Difference, differences
 from sandbox.physics.run import costs
 from sandbox.physics.state.errors import SimulationError
 

@@ -18,7 +18,7 @@ import pydantic_core
 from sandbox.app.translatable_texts import has_words, shown_keys, words
 from sandbox.app.words import language
 from sandbox.model import level_catalog
-from sandbox.model.field_marks import prose
+from sandbox.model.annotated_fields import prose
 from sandbox.model.file_writing import generate, write_atomically
 from sandbox.model.loading import load
 from sandbox.optional_packages import needed_for

@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping
 
 from sandbox.editing.formulas import shifted
 from sandbox.editing.json_layout import Json
-from sandbox.editing.placement import Placed, placed, xy
+from sandbox.editing.placement import PlacedBody, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.comments import read_level
 from sandbox.model.expressions import Expression
@@ -61,7 +61,7 @@ def _held_again(
     joint: Pivot | Motor | Rail,
     moved: Collection[str],
     level: Level,
-    where: Mapping[str, Placed],
+    where: Mapping[str, PlacedBody],
 ) -> Changes:
     """Return the changes by which the end that stayed follows the other; none if both moved."""
     ends = sorted(ends_of(joint), key=lambda end: body_of(end[1]) in moved)
@@ -76,7 +76,7 @@ def _held_again(
     return _shifted_end((*path, *step), stays, way, where) if abs(way) > APART else {}
 
 
-def _shifted_end(path: Path, end: End, by: complex, where: Mapping[str, Placed]) -> Changes:
+def _shifted_end(path: Path, end: End, by: complex, where: Mapping[str, PlacedBody]) -> Changes:
     match end:
         case str():
             at = xy(by / where[end].turn)

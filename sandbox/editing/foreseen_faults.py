@@ -14,8 +14,8 @@ from typing import Any, Generic, NamedTuple, TypeVar
 import numpy as np
 
 from sandbox.editing.cleanup import without_meaning
-from sandbox.editing.edits.edit_result import Made
-from sandbox.editing.placement import Placed, placed
+from sandbox.editing.edits.edit_result import EditResult
+from sandbox.editing.placement import PlacedBody, placed
 from sandbox.model.body import Body
 from sandbox.model.comments import read_level
 from sandbox.model.effects import Effects
@@ -29,7 +29,7 @@ from sandbox.physics.advising.start_faults import Fault, start_faults
 MOST = 60
 """The most bodies that are looked at; beyond, faults are found once the edit is made."""
 
-Text = TypeVar("Text", bound=str | Made, covariant=True)
+Text = TypeVar("Text", bound=str | EditResult, covariant=True)
 
 
 class Proposed(NamedTuple, Generic[Text]):
@@ -40,7 +40,7 @@ class Proposed(NamedTuple, Generic[Text]):
     """The existing bodies that it changes or joins."""
 
 
-class Foreseen(NamedTuple):
+class ForeseenFaults(NamedTuple):
     """The faults of an edit that was not made."""
 
     faults: Sequence[Fault]
@@ -58,7 +58,7 @@ class Foresight:
         self._document, self._level = document, level
         self._parts: dict[frozenset[str], str] = {}
 
-    def of(self, proposed: Proposed[str | Made]) -> Foreseen | None:
+    def of(self, proposed: Proposed[str | EditResult]) -> ForeseenFaults | None:
         """Return the faults that an edit would bring; None if it concerns too many bodies."""
         names = self._joined(proposed.names)
         if names is None:
@@ -66,12 +66,12 @@ class Foresight:
         part = self._part(names)
         try:
             made = proposed.edit(part, self._level)
-            text = made.text if isinstance(made, Made) else made
+            text = made.text if isinstance(made, EditResult) else made
             level = read_level(text)
         except LevelError as error:
-            return Foreseen([Fault(error.mistakes[0].rule, frozenset())])
+            return ForeseenFaults([Fault(error.mistakes[0].rule, frozenset())])
         except SandboxError as error:
-            return Foreseen([Fault(error.message, frozenset())])
+            return ForeseenFaults([Fault(error.message, frozenset())])
         before, after = json.loads(part)["bodies"], json.loads(text)
         changed = {name for name, body in after["bodies"].items() if before.get(name) != body}
         near = self._near(level, changed)
@@ -79,7 +79,7 @@ class Foresight:
             return None
         concerned = changed | level.joints.keys()
         faults = [f for f in start_faults(self._among(level, near)) if f.names & concerned]
-        return Foreseen(faults, level)
+        return ForeseenFaults(faults, level)
 
     def _joined(self, names: Collection[str]) -> frozenset[str] | None:
         """Return bodies with those that are joined to them, the nearest first, as far as possible.
@@ -135,7 +135,7 @@ class Foresight:
         all_names, boxes = self._boxes
         values, meets = level.defaults, np.zeros(len(all_names), dtype=bool)
         for name in names:
-            left, low, right, high = _box(Placed(name, level.bodies[name], values))
+            left, low, right, high = _box(PlacedBody(name, level.bodies[name], values))
             across = (boxes[:, 0] <= right) & (boxes[:, 2] >= left)
             meets |= across & (boxes[:, 1] <= high) & (boxes[:, 3] >= low)
         return [all_names[row] for row in np.flatnonzero(meets)]
@@ -149,7 +149,7 @@ class Foresight:
         return self._level.model_copy(update=parts)
 
 
-def _box(one: Placed) -> tuple[float, float, float, float]:
+def _box(one: PlacedBody) -> tuple[float, float, float, float]:
     low, high = one.bounds
     return low.real, low.imag, high.real, high.imag
 

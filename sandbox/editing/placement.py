@@ -34,7 +34,7 @@ Core = tuple[complex, ...]
 
 
 @dataclass(frozen=True)
-class Placed:
+class PlacedBody:
     """A body at the start of a run."""
 
     name: str
@@ -115,23 +115,23 @@ class Placed:
         return (point - self.center) / self.turn
 
 
-def distance(one: Placed, other: Placed, way: complex = 0j) -> float:
+def distance(one: PlacedBody, other: PlacedBody, way: complex = 0j) -> float:
     """Return the gap between a displaced body and another [m]; negative if they overlap."""
     radii = one.radius + other.radius
     moved = [tuple(point + way for point in core) for core in one.cores]
     return min(gap(core, against, radii).distance for core in moved for against in other.cores)
 
 
-def placed(level: Level) -> dict[str, Placed]:
+def placed(level: Level) -> dict[str, PlacedBody]:
     """Return all bodies of a level at its start; those of the last level are cached."""
     global _last
     if _last is None or _last[0] is not level:
         values = level.defaults
-        _last = level, {name: Placed(name, body, values) for name, body in level.bodies.items()}
+        _last = level, {name: PlacedBody(name, body, values) for name, body in level.bodies.items()}
     return dict(_last[1])
 
 
-def chosen(level: Level, names: Iterable[str]) -> dict[str, Placed]:
+def chosen(level: Level, names: Iterable[str]) -> dict[str, PlacedBody]:
     """Return some bodies of a level at its start; raise `SandboxError` if there are no names."""
     where = placed(level)
     found = {name: where[name] for name in names}
@@ -140,10 +140,10 @@ def chosen(level: Level, names: Iterable[str]) -> dict[str, Placed]:
     return found
 
 
-_last: tuple[Level, dict[str, Placed]] | None = None
+_last: tuple[Level, dict[str, PlacedBody]] | None = None
 
 
-def around(bodies: Iterable[Placed]) -> tuple[complex, complex]:
+def around(bodies: Iterable[PlacedBody]) -> tuple[complex, complex]:
     """Return the lower left and the upper right corner of the bounding box of bodies [m]."""
     boxes = [body.bounds for body in bodies]
     low = complex(min(a.real for a, _ in boxes), min(a.imag for a, _ in boxes))

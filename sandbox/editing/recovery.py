@@ -12,7 +12,7 @@ from pydantic import BaseModel, Field, ValidationError
 from sandbox.editing.draft import Draft
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import data_folder, read_ordinary
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.model.unsaved_files import UnsavedFile, delete, left
 
 LARGEST = 20_000_000
@@ -29,7 +29,7 @@ def folder() -> Path:
     return data_folder() / "drafts"
 
 
-class Kept(BaseModel):
+class RecoveryFile(BaseModel):
     """The content of a recovery file."""
 
     path: Path | None
@@ -72,7 +72,7 @@ class Recovery:
 class Recoverable:
     """A draft left by a process that has ended."""
 
-    def __init__(self, file: Path, kept: Kept) -> None:
+    def __init__(self, file: Path, kept: RecoveryFile) -> None:
         self._file = file
         self._kept = kept
 
@@ -124,10 +124,12 @@ def recoverable() -> list[Recoverable]:
 def _left() -> Iterator[Recoverable]:
     for file in left(folder(), _ENDING):
         with suppress(OSError, ValidationError):  # files of other programs are ignored
-            yield Recoverable(file, Kept.model_validate_json(read_ordinary(file, LARGEST) or b""))
+            yield Recoverable(
+                file, RecoveryFile.model_validate_json(read_ordinary(file, LARGEST) or b"")
+            )
 
 
 def _said(draft: Draft) -> str:
-    return Kept(
+    return RecoveryFile(
         path=draft.path, saved=draft.saved, text=draft.text, when=time.time()
     ).model_dump_json()

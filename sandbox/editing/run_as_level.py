@@ -10,9 +10,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from sandbox.editing.cleanup import without_meaning
+from sandbox.editing.expanded_level import plain
 from sandbox.editing.formulas import renamed
 from sandbox.editing.json_layout import plain as rounded
-from sandbox.editing.written_out import plain
 from sandbox.model import level_writing
 from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError

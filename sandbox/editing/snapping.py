@@ -10,7 +10,7 @@ from itertools import islice, product
 from math import floor, log10
 from typing import Literal, NamedTuple
 
-from sandbox.editing.placement import Core, Placed, placed, xy
+from sandbox.editing.placement import Core, PlacedBody, placed, xy
 from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import body_of, ends_of
 from sandbox.model.level import Level
@@ -94,7 +94,11 @@ def snap_point(
 
 
 def _on_side(
-    where: Mapping[str, Placed], at: complex, reach: float, step: float, besides: Collection[str]
+    where: Mapping[str, PlacedBody],
+    at: complex,
+    reach: float,
+    step: float,
+    besides: Collection[str],
 ) -> Snapped | None:
     """Return the nearest point of an outline, on a grid line if possible; None if none is near."""
     point = [_Piece("", (at,), 0.0, at, 0.0)]
@@ -110,7 +114,9 @@ def _on_side(
     return None
 
 
-def _in_line(where: Mapping[str, Placed], at: complex, reach: float, step: float) -> Snapped | None:
+def _in_line(
+    where: Mapping[str, PlacedBody], at: complex, reach: float, step: float
+) -> Snapped | None:
     """Return a point in line with the centres of dynamic bodies; None if there is none."""
     centers = [one.center for one in where.values() if one.body.type == "dynamic"]
     x = _nearest((center.real for center in centers), at.real, reach)
@@ -197,7 +203,7 @@ class _Pair(NamedTuple):
         return gap(core, self.other.core, self.one.radius + self.other.radius)
 
 
-def _pieces(where: Mapping[str, Placed], names: Collection[str]) -> list[_Piece]:
+def _pieces(where: Mapping[str, PlacedBody], names: Collection[str]) -> list[_Piece]:
     """Return the pieces of bodies that can be touched exactly."""
     return [
         _piece(name, core, where[name].radius)
@@ -266,7 +272,7 @@ def _along_grid(
     return by if away or blocked else slid
 
 
-def _targets(where: Mapping[str, Placed], besides: Collection[str]) -> Iterator[Target]:
+def _targets(where: Mapping[str, PlacedBody], besides: Collection[str]) -> Iterator[Target]:
     """Yield the centres of bodies, and the corners that they have."""
     for name, body in where.items():
         if name not in besides:
@@ -275,7 +281,7 @@ def _targets(where: Mapping[str, Placed], besides: Collection[str]) -> Iterator[
                 yield from ((corner, "corner", name) for corner in body.corners)
 
 
-def _ends(level: Level, where: Mapping[str, Placed]) -> Iterator[Target]:
+def _ends(level: Level, where: Mapping[str, PlacedBody]) -> Iterator[Target]:
     """Yield the points at which joints hold on to the plane."""
     for joint in level.joints.values():
         for _, end in ends_of(joint):

@@ -5,7 +5,7 @@ from time import perf_counter
 
 from sandbox.experiments.executors import Executor
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.row_runs import Done, Task, pack, run, together
+from sandbox.experiments.row_runs import Task, TaskResults, pack, run, together
 from sandbox.experiments.storage import Store
 
 FIRST = 8
@@ -50,7 +50,7 @@ class Pace:
         rounds = -(-rows // (jobs * together))
         self._even = -(-rows // (jobs * rounds)) if together > 1 and rows else 0
 
-    def note(self, done: Done) -> None:
+    def note(self, done: TaskResults) -> None:
         """Record the cost of a batch."""
         rows = done.stop - done.start
         cost = max(done.seconds / rows, 1e-9)

@@ -37,7 +37,7 @@ class Executor(Protocol):
         """
 
 
-class Here:
+class SerialExecutor:
     """The current process, which runs one item after the other."""
 
     jobs = 1
@@ -47,7 +47,7 @@ class Here:
         return map(work, items)
 
 
-class Cores:
+class ProcessExecutor:
     """Processes on this machine; none outlives this one."""
 
     def __init__(self, jobs: int) -> None:
@@ -156,4 +156,4 @@ def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
 
 def local(jobs: int) -> Executor:
     """Return an executor with a number of processes on this machine."""
-    return Cores(jobs) if jobs > 1 else Here()
+    return ProcessExecutor(jobs) if jobs > 1 else SerialExecutor()

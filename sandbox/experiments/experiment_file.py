@@ -20,8 +20,8 @@ from sandbox.model.errors import brief
 from sandbox.model.file_writing import read_ordinary
 from sandbox.model.json_document import Document, refuse
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import Message
 from sandbox.model.number_bounds import Finite
+from sandbox.model.translatable_message import Message
 
 MAX_BYTES = 1_000_000
 """The largest file that is read [bytes]."""

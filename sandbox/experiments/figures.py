@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from sandbox.experiments.analysis import Sensitivity
-from sandbox.experiments.axes import Grid, Listed, Uniform
 from sandbox.experiments.measures import Measure
+from sandbox.experiments.parameter_axes import Grid, Listed, Uniform
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.results_table import axis_unit, closed_form
 from sandbox.experiments.saved_results import Results

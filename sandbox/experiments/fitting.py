@@ -10,7 +10,7 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.message import both
+from sandbox.model.translatable_message import both
 from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.run import simulate
 

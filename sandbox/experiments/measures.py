@@ -35,8 +35,8 @@ from sandbox.model.level import (
     SeparationEvent,
 )
 from sandbox.model.measuring_instants import MOST_MEETINGS
-from sandbox.model.message import Message
 from sandbox.model.quantities import OVER_TIME, quantity
+from sandbox.model.translatable_message import Message
 from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.measuring.grading import (
     applies,

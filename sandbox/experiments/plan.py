@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.experiments import axes, measures
-from sandbox.experiments.axes import Axis, Drawn, Grid, Listed
+from sandbox.experiments import measures, parameter_axes
 from sandbox.experiments.experiment_file import Experiment
 from sandbox.experiments.measures import Measure
 from sandbox.experiments.observables import Observable
+from sandbox.experiments.parameter_axes import Axis, Drawn, Grid, Listed
 from sandbox.experiments.random_points import points
 from sandbox.model import effect_variants
 from sandbox.model.expressions import Values
@@ -181,4 +181,4 @@ class Plan:
 def axis_of(name: str, text: str, level: Level) -> Axis:
     """Return the axis of a name, as written in a text; raise `AxisError` if it cannot be read."""
     named = name in NAMED and name not in level.parameters
-    return axes.parse_names(text) if named else axes.parse(text)
+    return parameter_axes.parse_names(text) if named else parameter_axes.parse(text)

@@ -6,9 +6,9 @@ from typing import get_args
 from pydantic import ValidationError
 
 from sandbox.experiments import measures
-from sandbox.experiments.axes import Axis, AxisError, Listed
 from sandbox.experiments.experiment_file import Experiment
 from sandbox.experiments.measures import MeasureError
+from sandbox.experiments.parameter_axes import Axis, AxisError, Listed
 from sandbox.experiments.plan import NAMED, Plan, axis_of
 from sandbox.experiments.random_points import MOST_IN_A_HYPERCUBE
 from sandbox.model import parse_messages
@@ -17,8 +17,8 @@ from sandbox.model.errors import SandboxError, brief
 from sandbox.model.level import Level, Scheme
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
-from sandbox.model.message import Message, joined
 from sandbox.model.rules.conditions.scene import MAX_STEPS
+from sandbox.model.translatable_message import Message, joined
 
 MOST_RUNS = 10**9
 """The most runs in an experiment; at 10,000 runs a second they take a day."""

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from sandbox.experiments.axes import Listed
+from sandbox.experiments.parameter_axes import Listed
 from sandbox.experiments.plan import Plan
 
 if TYPE_CHECKING:

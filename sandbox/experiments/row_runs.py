@@ -15,9 +15,9 @@ from sandbox.experiments.results_table import Cell, columns
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.message import NOTHING
 from sandbox.model.rules.conditions.scene import MAX_STEPS
-from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
+from sandbox.model.translatable_message import NOTHING
+from sandbox.physics.ensemble.batched_runs import BatchStepper, accepts, suits
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
@@ -40,7 +40,7 @@ class Task(NamedTuple):
     stop: int
 
 
-class Done(NamedTuple):
+class TaskResults(NamedTuple):
     """The results of some rows, and the time they took [s]."""
 
     start: int
@@ -78,13 +78,13 @@ def _unpacked(plan: bytes) -> Plan:
     return pickle.loads(plan)
 
 
-def run(task: Task) -> Done:
+def run(task: Task) -> TaskResults:
     """Run the rows of a task."""
     began = perf_counter()
     plan = _unpacked(task.plan)
     cells = list(measured(plan, task.start, task.stop))
     columns = [list(column) for column in zip(*cells, strict=True)]
-    return Done(task.start, task.stop, columns, perf_counter() - began)
+    return TaskResults(task.start, task.stop, columns, perf_counter() - began)
 
 
 def measured(plan: Plan, start: int, stop: int) -> Iterator[list[Cell]]:
@@ -184,7 +184,7 @@ def _together(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
         return
     stop = _Stop(plan.until) if plan.until else None
     steps = [_steps(plan, world) for world in flying]
-    flights = iter(Flight(flying, plan.quantities, steps, stop.first if stop else None).fly())
+    flights = iter(BatchStepper(flying, plan.quantities, steps, stop.first if stop else None).fly())
     for setting, start in zip(flock, worlds, strict=True):
         found = next(flights) if start else None
         if found is None or found.trace is None:

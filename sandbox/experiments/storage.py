@@ -24,7 +24,7 @@ from sandbox.model.file_writing import (
     without_links,
     write_atomically,
 )
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.version import __version__
 
 if TYPE_CHECKING:

@@ -71,7 +71,7 @@ class Crossing(NamedTuple):
     direction: Direction
 
 
-class Happening(NamedTuple):
+class SingleEvent(NamedTuple):
     """An event that happens once: its trigger, and what it cuts, ties, switches and reverses."""
 
     waits: Crossing
@@ -84,14 +84,14 @@ class Happening(NamedTuple):
 
 def happenings(
     events: Mapping[str, Event], joints: Mapping[str, Joint], values: Values
-) -> dict[str, Happening]:
+) -> dict[str, SingleEvent]:
     """Return the events of a level, including those of joints that break."""
     found = {
-        name: Happening(_crossing(event.at, values), *(getattr(event, a) for a in ACTIONS))
+        name: SingleEvent(_crossing(event.at, values), *(getattr(event, a) for a in ACTIONS))
         for name, event in events.items()
     }
     for joint, load in loads(joints, values).items():
-        found[breaking(joint)] = Happening(Crossing(f"{joint}.tension", load, "beyond"), (joint,))
+        found[breaking(joint)] = SingleEvent(Crossing(f"{joint}.tension", load, "beyond"), (joint,))
     return found
 
 

@@ -17,8 +17,8 @@ import numpy as np
 
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.message import NOTHING, Message
 from sandbox.model.symbolic_derivatives import derivative
+from sandbox.model.translatable_message import NOTHING, Message
 
 MAX_LENGTH = 500  # characters
 

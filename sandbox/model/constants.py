@@ -4,8 +4,8 @@ from collections.abc import Iterable, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from sandbox.model.base import Model
+from sandbox.model.contained_expressions import expressions
 from sandbox.model.expressions import Expression
-from sandbox.model.traversal import expressions
 
 
 def define(part: Model, constants: Mapping[str, Expression]) -> None:

@@ -23,9 +23,9 @@ from sandbox.model.errors import MisuseError, brief
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import Message
 from sandbox.model.rules.consistency import inconsistencies
 from sandbox.model.rules.level_validation import faults
+from sandbox.model.translatable_message import Message
 
 DEFAULTS: Mapping[str, Settings] = {
     name: effect.trial for name, effect in EFFECTS.items() if effect.trial is not None

@@ -13,8 +13,8 @@ Code that shows messages to a person catches `SandboxError`; anything else is a 
 
 from dataclasses import dataclass
 
-from sandbox.model.message import Message, joined
-from sandbox.model.message import message as as_message
+from sandbox.model.translatable_message import Message, joined
+from sandbox.model.translatable_message import message as as_message
 
 MAX_MISTAKES = 100
 """The most mistakes that are listed; if there are more, one at the root says so."""

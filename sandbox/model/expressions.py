@@ -13,7 +13,7 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from sandbox.model.arithmetic import MAX_LENGTH, ExpressionError, compiled, evaluated
 from sandbox.model.errors import brief
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 
 Array = NDArray[np.float64]
 Values = Mapping[str, float]

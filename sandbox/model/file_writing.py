@@ -15,7 +15,7 @@ from uuid import uuid4
 import platformdirs
 
 from sandbox.model.errors import MisuseError, SandboxError
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 
 class TakenError(MisuseError):

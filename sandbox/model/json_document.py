@@ -13,8 +13,8 @@ from sandbox.model.comments import members
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
 from sandbox.model.json_positions import Path, Position, Value
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import Message, message
 from sandbox.model.origin import Origin
+from sandbox.model.translatable_message import Message, message
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")

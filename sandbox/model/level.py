@@ -20,6 +20,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from sandbox.model.acting_events import MOST_EVENTS, Event, bouncing, breakable, cut, tied
+from sandbox.model.annotated_fields import Prose
 from sandbox.model.base import Model, Name
 from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.challenge import Challenge
@@ -27,8 +28,7 @@ from sandbox.model.constants import define
 from sandbox.model.effects import Effects
 from sandbox.model.effects.contact import Contact
 from sandbox.model.expressions import Expression, Positive, Values
-from sandbox.model.field_marks import Prose
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.joints import Held, Joint, Own, Pulley, bodies_of, body_of, is_exact, points
 from sandbox.model.json_positions import Path
 from sandbox.model.measuring_instants import ApexEvent as ApexEvent
@@ -37,10 +37,10 @@ from sandbox.model.measuring_instants import CrossingEvent as CrossingEvent
 from sandbox.model.measuring_instants import Instant as Instant
 from sandbox.model.measuring_instants import LandingEvent as LandingEvent
 from sandbox.model.measuring_instants import SeparationEvent as SeparationEvent
-from sandbox.model.message import Message
 from sandbox.model.number_bounds import Duration, Finite
 from sandbox.model.origin import Origin
 from sandbox.model.reference_fields import Mention, QuantityName
+from sandbox.model.translatable_message import Message
 from sandbox.model.view import View
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from sandbox.model.did_you_mean import meant, suggestion
 from sandbox.model.errors import MisuseError, brief
 from sandbox.model.json_document import refuse
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 CHAPTERS = (
     "kinematics",

@@ -11,8 +11,8 @@ from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import Joint, Motor, Spring
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions, names_in
-from sandbox.model.message import Message, both
 from sandbox.model.number_bounds import Flow, Mass
+from sandbox.model.translatable_message import Message, both
 
 TELLS = ("mass", "moment", "friction", "static_friction", "restitution")
 """The fields of a body that affect its motion at every step."""

@@ -27,12 +27,12 @@ from sandbox.model.json_positions import Path as Place
 from sandbox.model.json_positions import position
 from sandbox.model.level import Level, Parameter
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import NOTHING, Message, joined
 from sandbox.model.origin import Origin
 from sandbox.model.rules import level_validation
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.rules.consistency import dangling
 from sandbox.model.shorthand import write_out
+from sandbox.model.translatable_message import NOTHING, Message, joined
 
 MAX_BYTES = 5_000_000
 """The largest file that is read [bytes]: enough for the most bodies, of some 200 bytes each."""

@@ -16,8 +16,8 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import ENDS, KINDS
 from sandbox.model.json_positions import Path, Position
 from sandbox.model.level import Level
-from sandbox.model.message import NOTHING, Message, either
 from sandbox.model.shorthand.repeating import GROUPS
+from sandbox.model.translatable_message import NOTHING, Message, either
 
 _SYNTAX: Mapping[str, Message] = {
     "Expecting property name enclosed in double quotes": Message(

@@ -20,7 +20,7 @@ from sandbox.model import ledger_accounts
 from sandbox.model.did_you_mean import closest, suggestion
 from sandbox.model.errors import MisuseError, brief
 from sandbox.model.level import Level
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 Component = Literal["x", "y"]
 Owner = Literal["body", "joint", "system", "time"]

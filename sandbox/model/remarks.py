@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 from sandbox.model.arithmetic import ExpressionError
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
-from sandbox.model.message import Message
 from sandbox.model.rules.level_validation import corners
+from sandbox.model.translatable_message import Message
 
 
 def remarks(level: Level) -> Iterator[Fault]:

@@ -11,7 +11,7 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Joint, Spring, is_exact
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.message import Message, word
+from sandbox.model.translatable_message import Message, word
 
 
 def bounds_the_rate(level: Level) -> bool:

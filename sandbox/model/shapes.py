@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from sandbox.model import formulas
+from sandbox.model import functions
 from sandbox.model.base import Model
 from sandbox.model.expressions import Array, Expression, Values
-from sandbox.model.message import Message
 from sandbox.model.number_bounds import Acceleration, Coordinate, Extent, Speed, Width
+from sandbox.model.translatable_message import Message
 
 Point = tuple[Coordinate, Coordinate]
 """Two coordinates: [x, y] in m."""
@@ -125,7 +125,7 @@ class Curve(Model):
     """
 
     type: Literal["curve"]
-    curve: tuple[formulas.Curve, formulas.Curve]
+    curve: tuple[functions.Curve, functions.Curve]
     """[x, y] in m of its points in the body's frame, functions of the parameters and s"""
     s: tuple[Expression, Expression]
     """[from, to], the range of s"""

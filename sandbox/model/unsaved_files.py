@@ -13,7 +13,7 @@ from uuid import uuid4
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import lives, make_folder, write_atomically
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 
 _NAME = re.compile(r"(?:(\d+)-)?[0-9a-f]{32}\..+")
 """The name of such a file: the process, which the first versions did not name, and a number."""

@@ -5,11 +5,11 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field
 
+from sandbox.model.annotated_fields import Prose
 from sandbox.model.base import Model
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.expressions import Array, Values
-from sandbox.model.field_marks import Prose
-from sandbox.model.formulas import Profile
+from sandbox.model.functions import Profile
 from sandbox.model.joints import End
 from sandbox.model.number_bounds import Coordinate, Extent
 from sandbox.model.reference_fields import BodyName, BodyNames

@@ -20,7 +20,7 @@ from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, le
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.state.errors import BreakdownError
 from sandbox.physics.stepping.make_world import make_world
-from sandbox.physics.stepping.time_limit import Patience
+from sandbox.physics.stepping.time_limit import TimeLimit
 from sandbox.physics.stepping.world import World
 
 MOST_UNSETTLED = 100
@@ -38,7 +38,7 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     """
     values = level.defaults if values is None else values
     chosen = resolved(level, values, stepping or level.stepping)
-    with Patience().within_steps():
+    with TimeLimit().within_steps():
         world = make_world(level, values, chosen)
         if chosen.solver or not leans(world) or not may_be_direct(level):
             return world
@@ -91,7 +91,7 @@ def _record(
     until: Callable[[World], bool] | None,
 ) -> None:
     """Take steps and note each, until there are as many as wanted or `until` says so."""
-    patience = Patience()
+    patience = TimeLimit()
     if until is None:
         recorder.require(steps + 1)
     with patience.within_steps():

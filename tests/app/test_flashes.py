@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import pygame
 import pytest
 
-from sandbox.app.observing.impacts import FAINTEST, MOST, Blow
+from sandbox.app.observing.impacts import FAINTEST, MOST, RecordedImpact
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.runs.playback import FADING
 from sandbox.app.runs.session import Session
@@ -16,7 +16,7 @@ from tests.app.test_time_travel import go_to
 CRADLE = "momentum/cradle"
 
 
-def until_it_strikes(session: Session) -> Sequence[Blow]:
+def until_it_strikes(session: Session) -> Sequence[RecordedImpact]:
     """Take steps up to that of the first impact."""
     while not session.flashes:
         assert session.world.steps < session.end

@@ -2,11 +2,11 @@
 
 import pytest
 
-from sandbox.app.frame_time import FRAME, LEAST, MEMORY, MOST, SPARE, Allowance
+from sandbox.app.frame_time import FRAME, LEAST, MEMORY, MOST, SPARE, FrameBudget
 
 
 def test_steps_have_what_frames_of_the_same_kind_have_left() -> None:
-    allowance = Allowance()
+    allowance = FrameBudget()
     for _ in range(MEMORY):
         allowance.note("", 0.005)
         allowance.note("page", 0.008)
@@ -16,7 +16,7 @@ def test_steps_have_what_frames_of_the_same_kind_have_left() -> None:
 
 
 def test_a_frame_that_was_held_up_takes_nothing_from_the_steps_of_others() -> None:
-    allowance = Allowance()
+    allowance = FrameBudget()
     for _ in range(MEMORY - 1):
         allowance.note("", 0.005)
     before = allowance.of("")
@@ -27,7 +27,7 @@ def test_a_frame_that_was_held_up_takes_nothing_from_the_steps_of_others() -> No
 
 
 def test_steps_always_have_something_and_never_all() -> None:
-    allowance = Allowance()
+    allowance = FrameBudget()
     assert LEAST < allowance.of("") < MOST
     for seconds, expected in ((0.1, 2 * FRAME), (0.0, MOST)):
         for _ in range(MEMORY):
@@ -48,7 +48,7 @@ def test_where_drawing_is_too_slow_for_60_frames_steps_have_more_of_the_time(
     rest: float, expected: float
 ) -> None:
     """They had 5 ms, however long the frame took: the run was slow while the picture was not."""
-    allowance = Allowance()
+    allowance = FrameBudget()
     for _ in range(MEMORY):
         allowance.note("", rest)
 

@@ -11,7 +11,7 @@ from sandbox.app.measuring.protractor import Protractor
 from tests.app.person import Person
 
 
-def at(person: Person, point: tuple[float, float]) -> probe.Found | None:
+def at(person: Person, point: tuple[float, float]) -> probe.ProbedInstant | None:
     """Return what is found under a point of the plane [m]."""
     stage = person.window.stage
     return probe.find(stage.view, person.session, stage.camera.to_screen(point))

@@ -13,7 +13,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.model.errors import LevelError, Mistake
 from sandbox.model.file_watching import PAUSE
 from sandbox.model.loading import parse
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from tests.app import scenes
 from tests.app.person import Person
 

@@ -56,12 +56,12 @@ def test_the_keys_go_through_the_sizes_and_back(person: Person) -> None:
 def test_a_size_is_kept_for_the_next_window(person: Person) -> None:
     person.press(pygame.K_EQUALS, "=", CONTROL)  # + with Shift, where it stands on that key
 
-    assert preferences.Comfort().size == 110
+    assert preferences.WindowPreferences().size == 110
 
 
 @pytest.mark.parametrize(("height", "size"), [(1080, 100), (1440, 100), (2160, 150)])
 def test_what_is_written_on_a_dense_screen_is_larger_at_first(height: int, size: int) -> None:
-    assert preferences.Comfort(height).size == size
+    assert preferences.WindowPreferences(height).size == size
 
 
 @pytest.mark.parametrize("size", SIZES)

@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from sandbox.app import sounds
-from sandbox.app.observing.impacts import Blow
+from sandbox.app.observing.impacts import RecordedImpact
 from sandbox.app.pages.settings import panel
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.sounds import APART, AT_ONCE, PITCH, RATE, SEMITONES, Sounds, semitones, tone
@@ -27,8 +27,10 @@ def _silence() -> Iterator[None]:
     pygame.mixer.quit()
 
 
-def blows(*shares: float) -> list[Blow]:
-    return [Blow(1, 0.1, (0.0, 0.0), share, 1, ("ball", "floor"), share) for share in shares]
+def blows(*shares: float) -> list[RecordedImpact]:
+    return [
+        RecordedImpact(1, 0.1, (0.0, 0.0), share, 1, ("ball", "floor"), share) for share in shares
+    ]
 
 
 def settings(person: Person) -> SettingsPage:

@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from sandbox.app.drawing import theme
-from sandbox.app.observing.impacts import Blow
+from sandbox.app.observing.impacts import RecordedImpact
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.panels.play_bar import Controls, notes
 from sandbox.app.runs import playback
@@ -459,7 +459,9 @@ def test_impacts_are_marked_and_a_click_near_a_mark_goes_exactly_there(person: P
 def test_a_run_with_very_many_impacts_has_no_marks() -> None:
     session = opened("hard/100-on-five")
     for step in range(1, 200):
-        session.run.marks.note([Blow(step, step / 60, (0.0, 0.0), 1.0, 0, ("a", "b"), 1.0)])
+        session.run.marks.note(
+            [RecordedImpact(step, step / 60, (0.0, 0.0), 1.0, 0, ("a", "b"), 1.0)]
+        )
 
     assert session.run.marks.shown == ()
 

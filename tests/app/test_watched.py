@@ -12,7 +12,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.advising.remedy_trials import Advice
 from tests.app.person import Person
 from tests.physics.scenes import GRAVITY, box, disc, floor, level, orbit

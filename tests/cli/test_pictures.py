@@ -7,7 +7,7 @@ import pytest
 from sandbox.cli import tour
 from sandbox.cli.tour_visit import visit
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from tests.cli.helpers import NEVER, WRONG, Run, Write, height
 
 PNG = b"\x89PNG\r\n"

@@ -11,8 +11,8 @@ from sandbox.cli.reference import FOLDER, PAGES
 from sandbox.model import joints, level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import MisuseError
-from sandbox.model.message import Message
 from sandbox.model.schema import schema
+from sandbox.model.translatable_message import Message
 
 
 @pytest.mark.parametrize(("name", "page"), PAGES.items(), ids=PAGES)

@@ -8,12 +8,12 @@ import pytest
 
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, transforms
-from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.resizing import drag_handle
-from sandbox.editing.foreseen_faults import MOST, Foreseen, Foresight, Proposed
+from sandbox.editing.expanded_level import plain
+from sandbox.editing.foreseen_faults import MOST, ForeseenFaults, Foresight, Proposed
 from sandbox.editing.text_patches import Changes, put, put_all
-from sandbox.editing.written_out import plain
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -24,7 +24,7 @@ from tests.sample import sampled
 
 LEVELS = sorted(level_catalog.root().glob("*/*.json"))
 
-Edits = Proposed[str] | Proposed[Made]
+Edits = Proposed[str] | Proposed[EditResult]
 
 
 def scene() -> str:
@@ -34,7 +34,7 @@ def scene() -> str:
     return bodies.add_box(text, parse(text), (2, 3), (3, 4)).text
 
 
-def foreseen(text: str, proposed: Edits) -> Foreseen:
+def foreseen(text: str, proposed: Edits) -> ForeseenFaults:
     found = Foresight(json.loads(text), parse(text)).of(proposed)
     assert found is not None
     return found

@@ -2,8 +2,8 @@
 
 import pytest
 
+from sandbox.editing.expanded_level import plain
 from sandbox.editing.renaming import rename
-from sandbox.editing.written_out import plain
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import TOKEN

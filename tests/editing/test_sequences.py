@@ -23,10 +23,10 @@ from sandbox.editing.edits import (
     tilting,
     transforms,
 )
+from sandbox.editing.expanded_level import plain
 from sandbox.editing.renaming import rename
 from sandbox.editing.snapping import snap_body
 from sandbox.editing.suggested_checks import suggestions, take
-from sandbox.editing.written_out import plain
 from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import SandboxError

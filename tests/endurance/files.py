@@ -79,7 +79,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
     run = [runfile.text(runfile.run_of(session))]
     text, data = level.text, ["# by hand\nt,left.position.y\n0,0\n0.1,0.01\n0.2,0.04\n"]
     shipped = [catalog.find(name).read_text(encoding="utf-8") for name in catalog.names()]
-    draft = recovery.Kept(path=None, saved="{}", text=text, when=1.7e9).model_dump_json()
+    draft = recovery.RecoveryFile(path=None, saved="{}", text=text, when=1.7e9).model_dump_json()
     chosen = preferences.Preferences(size=100, language="de").model_dump_json()
     return {
         "run": Kind(run, folder / f"x{runfile.SUFFIX}", _run),
@@ -87,7 +87,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "draft": Kind([draft], recovery.folder() / f"{NAME}.draft.json", _drafts),
         "experiment": Kind(shipped, folder / "e.json", catalog.open_plan),
         "data": Kind(data, folder / "d.csv", lambda path: read_data(path, level)),
-        "settings": Kind([chosen], preferences.file(), lambda _: preferences.Comfort()),
+        "settings": Kind([chosen], preferences.file(), lambda _: preferences.WindowPreferences()),
         "stars": Kind(['{"One": 2, "Two": 3}'], progress.file(), lambda _: progress.Progress()),
         "recent": Kind(['["/x/a.json", "/y/b.json"]'], recent.file(), lambda _: recent.Recent()),
         "level": Kind([text], folder / "l.json", load),

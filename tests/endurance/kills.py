@@ -36,7 +36,7 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import write_atomically
 from sandbox.model.loading import load
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.calibration_cache import calibrated
 from tests.elsewhere import move_home
 from validation import cases, cli

@@ -8,7 +8,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from sandbox.experiments.batch_scheduling import conduct
-from sandbox.experiments.executors import Executor, Here
+from sandbox.experiments.executors import Executor, SerialExecutor
 from sandbox.experiments.experiment_file import made
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.planning import make
@@ -41,5 +41,5 @@ def wrong(level: str, **given: object) -> list[str]:
 def table(found: Plan, folder: Path, executor: Executor | None = None) -> pa.Table:
     """Run an experiment, and return its table."""
     store = Store(folder, found)
-    conduct(found, store, executor or Here(), lambda _: None)
+    conduct(found, store, executor or SerialExecutor(), lambda _: None)
     return pq.read_table(store.results)

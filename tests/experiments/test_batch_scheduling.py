@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from sandbox.experiments.batch_scheduling import LAST, LONGEST, Pace
-from sandbox.experiments.row_runs import Done
+from sandbox.experiments.row_runs import TaskResults
 from tests.experiments.making import RANGE, plan
 
 Cost = Callable[[int], float]
@@ -18,7 +18,7 @@ def batches(jobs: int, rows: int, cost: Cost, together: int = 1) -> list[int]:
     sizes = []
     for task in pace.tasks(found, [(0, rows)]):
         count = task.stop - task.start
-        pace.note(Done(task.start, task.stop, [], cost(count)))
+        pace.note(TaskResults(task.start, task.stop, [], cost(count)))
         sizes.append(count)
     assert sum(sizes) == rows
     return sizes

@@ -9,7 +9,7 @@ import pytest
 from distributed import Client
 
 from sandbox.experiments.batch_scheduling import conduct
-from sandbox.experiments.executors import Here, cluster
+from sandbox.experiments.executors import SerialExecutor, cluster
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.storage import RESULTS, Store
 from sandbox.model.errors import SandboxError
@@ -94,6 +94,6 @@ def test_a_scheduler_that_goes_away_is_a_sentence_and_what_was_done_is_kept(
     # Which batches had come by then, and whether they are neighbours, is up to the workers.
     missing = sum(end - begin for begin, end in store.missing())
     assert 0 < missing < found.runs
-    conduct(found, store, Here(), lambda _: None)
+    conduct(found, store, SerialExecutor(), lambda _: None)
     table(found, tmp_path / "here")
     assert store.results.read_bytes() == (tmp_path / "here" / RESULTS).read_bytes()

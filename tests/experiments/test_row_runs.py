@@ -11,12 +11,12 @@ from random import Random
 import pytest
 
 from sandbox.experiments.batch_scheduling import conduct
-from sandbox.experiments.executors import Cores, Here
+from sandbox.experiments.executors import ProcessExecutor, SerialExecutor
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.row_runs import Task, pack, run
 from sandbox.experiments.storage import PARTS, RESULTS, Store
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from tests.elsewhere import PATIENCE, ROOT
 from tests.experiments.making import RANGE, plan, table
 from tests.patience import alive
@@ -34,7 +34,7 @@ def throws(count: int = 60) -> Plan:
 def test_one_process_and_two_make_the_same_file(tmp_path: Path) -> None:
     found = throws()
     table(found, tmp_path / "one")
-    table(found, tmp_path / "two", Cores(2))
+    table(found, tmp_path / "two", ProcessExecutor(2))
     files = [(tmp_path / name / RESULTS).read_bytes() for name in ("one", "two")]
     assert files[0] == files[1]
 
@@ -153,9 +153,9 @@ def test_a_full_disk_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 
     monkeypatch.setattr("sandbox.experiments.storage.write_atomically", full)
     with pytest.raises(SandboxError, match="No space left on device"):
-        conduct(found, store, Here(), lambda _: None)
+        conduct(found, store, SerialExecutor(), lambda _: None)
     monkeypatch.undo()
-    conduct(found, store, Here(), lambda _: None)
+    conduct(found, store, SerialExecutor(), lambda _: None)
     assert store.complete
 
 
@@ -175,7 +175,7 @@ def test_a_damaged_part_is_named_and_made_again_once_it_is_removed(
     store = Store(tmp_path, found)
     with monkeypatch.context() as patch:
         patch.setattr(store, "finish", lambda: None)
-        conduct(found, store, Here(), lambda _: None)
+        conduct(found, store, SerialExecutor(), lambda _: None)
     part = next((tmp_path / PARTS).iterdir())
     other = plan(THROW, {"angle": "6:85:3"}, RANGE, duration=6)
     table(other, tmp_path / "other")
@@ -183,10 +183,10 @@ def test_a_damaged_part_is_named_and_made_again_once_it_is_removed(
     part.write_bytes(part.read_bytes()[:50] if damage == "cut off" else foreign)
 
     with pytest.raises(SandboxError, match=rf"cannot read .*{part.name}: .*; remove it"):
-        conduct(found, store, Here(), lambda _: None)
+        conduct(found, store, SerialExecutor(), lambda _: None)
     assert not list(tmp_path.glob(".*.part"))
     part.unlink()
-    conduct(found, store, Here(), lambda _: None)
+    conduct(found, store, SerialExecutor(), lambda _: None)
     assert store.complete
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.model.effect_variants import including
 from sandbox.model.expressions import Expression
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.level import Level
 from sandbox.physics.run import build
 from tests.model.levels import Data, bare, level, mistakes

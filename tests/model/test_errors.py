@@ -3,7 +3,7 @@
 import pickle
 
 from sandbox.model.errors import LevelError, Mistake
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 HERE = Mistake("ball.json", 3, 7, "bodies.ball.mass", Message("must be greater than 0"), "-1")
 

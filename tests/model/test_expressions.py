@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from sandbox.model.arithmetic import CONSTANTS, FUNCTIONS, MAX_LENGTH, ExpressionError
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Fraction, NonNegative, Positive
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 
 VALUES = {"a": 2.0, "b": -3.5, "m": 0.25}
 

@@ -14,7 +14,7 @@ from sandbox.model.file_writing import (
     read_ordinary,
     write_atomically,
 )
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from tests.elsewhere import python
 
 

@@ -6,8 +6,8 @@ from typing import Any, get_args, get_type_hints
 
 import pytest
 
+from sandbox.model.annotated_fields import Words, prose
 from sandbox.model.base import Model
-from sandbox.model.field_marks import Words, prose
 from sandbox.model.level import Level, Parameter
 from sandbox.model.loading import parse
 from sandbox.model.reference_fields import Mention

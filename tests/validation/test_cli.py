@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from validation import cli, output, suite
 from validation.case import Case, Outcome, run
-from validation.case_tables import read
+from validation.case_loading import read
 
 FIELDS = {
     "name", "level", "parameters", "quantity", "unit", "measured", "expected", "error",

@@ -15,9 +15,9 @@ from sandbox.physics.run import build
 from validation.compose import property_checks
 from validation.compose.command import judge_scene, judged
 from validation.compose.families import FAMILIES
-from validation.compose.joint_constraints import Keeping, Places
+from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.property_checks import MARGIN, Case, Judge, Judgement, judge
-from validation.compose.recorded_run import Course, Refused, led, run, start
+from validation.compose.recorded_run import Course, Refused, run, run_at_advised_rate, start
 from validation.compose.scene_builder import Draft
 from validation.compose.scenes import Scene, scene, seeds
 from validation.compose.separation import Couple, couples, gap
@@ -83,7 +83,7 @@ def test_what_is_said_to_be_at_rest_can_be_held_there(family: str) -> None:
     for seed in range(6):
         found = of(family, seed)
         document, here = found.document, places(found.document)
-        keeping = Keeping(document, found.level())
+        keeping = JointConstraints(document, found.level())
         assert Statics(document, keeping, here).stands(MARGIN), seed
 
 
@@ -149,7 +149,7 @@ def test_the_centroid_of_a_triangle_is_the_mean_of_its_corners() -> None:
 def test_slopes_are_those_of_small_steps(family: str) -> None:
     """Central differences of 1e-6 m are off by 1e-10: rounding over the step."""
     found = of(family)
-    keeping, here = Keeping(found.document, found.level()), places(found.document)
+    keeping, here = JointConstraints(found.document, found.level()), places(found.document)
     _, slopes = keeping.slopes(here)
     count = len(found.document["bodies"])
     for axis in range(3):
@@ -175,7 +175,7 @@ def beam(load: float) -> Document:
 
 def test_forces_that_do_not_add_up_are_told_by_how_much() -> None:
     document = beam(40.0)
-    statics = Statics(document, Keeping(document, make(document)), places(document))
+    statics = Statics(document, JointConstraints(document, make(document)), places(document))
     weights = 50 * 9.81
     right = np.array([0.0, 0.0, weights + 40 * 9.81, 40 * 9.81])
 
@@ -188,7 +188,7 @@ def test_what_lies_beyond_its_support_cannot_stand() -> None:
     document = beam(40.0)
     document["bodies"]["load"]["position"] = [1.5, 0.5]
 
-    statics = Statics(document, Keeping(document, make(document)), places(document))
+    statics = Statics(document, JointConstraints(document, make(document)), places(document))
 
     assert not statics.stands()
 
@@ -466,7 +466,7 @@ def test_a_run_that_stops_is_judged_at_the_rate_that_is_advised() -> None:
     found = scene(565919744)
     level = found.level()
     first = run(found, level, start(level))
-    then = led(found, level)
+    then = run_at_advised_rate(found, level)
 
     assert first.failure.endswith(f"take a higher 'rate': {first.advised}, not {first.rate:g}")
     assert not then.failure

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from validation.formulas import energy, kinematics, newton
-from validation.formulas.arrays import Array
+from validation.formulas.array_type import Array
 
 positive = st.floats(0.01, 100)
 angles = st.floats(0.05, pi / 2 - 0.05)

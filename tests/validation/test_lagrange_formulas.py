@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import ArrayLike
 
 from validation.formulas import energy, lagrange
-from validation.formulas.arrays import Array
+from validation.formulas.array_type import Array
 
 positive = st.floats(0.01, 100)
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from validation.case import Case
-from validation.case_tables import read
+from validation.case_loading import read
 
 _ORDER = (
     "free_fall", "projectile", "uniform_acceleration", "throws", "circular_motion", "first_law",

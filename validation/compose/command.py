@@ -17,7 +17,7 @@ from sandbox.model.level_writing import text
 from sandbox.processes import spread
 from validation import output
 from validation.compose.property_checks import Judgement, judge
-from validation.compose.recorded_run import Refused, led
+from validation.compose.recorded_run import Refused, run_at_advised_rate
 from validation.compose.scenes import Scene, scene
 from validation.environment import environment
 from validation.output import finite
@@ -157,7 +157,7 @@ def judge_scene(found: Scene) -> Outcome:
     judgements: list[Judgement] = []
     try:
         level = found.level()
-        course = led(found, level)
+        course = run_at_advised_rate(found, level)
     except (SandboxError, Refused) as error:
         refused, reason = True, str(error)
     else:

@@ -4,7 +4,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
-from validation.compose.joint_constraints import Keeping, Places
+from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.recorded_run import Course
 from validation.compose.shapes import is_dynamic, moment
 from validation.stability.scene import Document
@@ -45,7 +45,7 @@ KNOWN = 3e-9
 class Energies:
     """The energies of a run; T instants, n bodies."""
 
-    def __init__(self, course: Course, keeping: Keeping) -> None:
+    def __init__(self, course: Course, keeping: JointConstraints) -> None:
         document, seen = course.scene.document, course.seen
         bodies = list(document["bodies"].values())
         self._course, self._keeping = course, keeping
@@ -196,7 +196,7 @@ class Energies:
         leading = min(order, ROUGHEST * self.turned()) + late
         return NEXT * leading + self.weight() * KNOWN + ROUNDING * largest + TINY
 
-    def _springs(self, document: Document, keeping: Keeping) -> Array:
+    def _springs(self, document: Document, keeping: JointConstraints) -> Array:
         """Return the energy stored in springs: (T,) [J]."""
         seen = self._course.seen
         places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)

@@ -34,7 +34,7 @@ class Places(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Kept:
+class JointConstraint:
     """A constraint of a joint."""
 
     joint: str
@@ -50,7 +50,7 @@ class Kept:
         return np.asarray(np.maximum(off, 0.0) if self.pulls_only else np.abs(off))
 
 
-class Keeping:
+class JointConstraints:
     """The constraints of a level's exact joints, relative to the start."""
 
     def __init__(self, document: Document, level: Level) -> None:
@@ -66,17 +66,17 @@ class Keeping:
             for name, joint in self._joints.items()
         }
 
-    def __call__(self, places: Places) -> list[Kept]:
+    def __call__(self, places: Places) -> list[JointConstraint]:
         """Return the constraints of all joints."""
         return [kept for name in self._joints for kept in self.of(name, places)]
 
-    def of(self, name: str, places: Places) -> list[Kept]:
+    def of(self, name: str, places: Places) -> list[JointConstraint]:
         """Return the constraints of a joint, one for each equation; none for a spring."""
         joint = self._joints[name]
         measured = self._measure(name, joint, places)
         pulls = joint["type"] in ("rope", "pulley", "winding")
         return [
-            Kept(name, row - self._aim(joint, index, zero, places.t), pulls)
+            JointConstraint(name, row - self._aim(joint, index, zero, places.t), pulls)
             for index, (row, zero) in enumerate(zip(measured, self._zero[name], strict=True))
         ]
 

@@ -15,7 +15,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
 from validation.compose.energies import NEXT, Energies, is_passive
-from validation.compose.joint_constraints import Keeping, Places
+from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.overlaps import SKIN, excess, overlapped
 from validation.compose.recorded_run import Course, Refused, positions, run, start
 from validation.compose.separation import couples
@@ -96,7 +96,7 @@ class Case:
     def __init__(self, course: Course) -> None:
         self.course = course
         self.document: Document = course.scene.document
-        self.keeping = Keeping(self.document, course.level)
+        self.keeping = JointConstraints(self.document, course.level)
         self.energies = Energies(course, self.keeping)
         seen = course.seen
         touches = "contact" in self.document["effects"]
@@ -300,13 +300,13 @@ def symmetry(case: Case) -> Iterator[Judgement]:
     if steps < FEW:
         return
     c, s = np.cos(TURN), np.sin(TURN)
-    back = Back(np.array([[-1.0, 0.0], [0.0, 1.0]]), -1.0, 0.0)
+    back = InverseTransform(np.array([[-1.0, 0.0], [0.0, 1.0]]), -1.0, 0.0)
     yield _most("mirror", _astray(case, mirrored(case.document), back, steps), SYMMETRY)
-    back = Back(np.array([[c, s], [-s, c]]), 1.0, -TURN)
+    back = InverseTransform(np.array([[c, s], [-s, c]]), 1.0, -TURN)
     yield _most("rotation", _astray(case, turned(case.document, TURN), back, steps), SYMMETRY)
 
 
-class Back(NamedTuple):
+class InverseTransform(NamedTuple):
     """The inverse transformation of a changed scene: a matrix for positions, and one for angles."""
 
     matrix: Array
@@ -314,7 +314,7 @@ class Back(NamedTuple):
     offset: float  # rad
 
 
-def _astray(case: Case, document: Document, back: Back, steps: int) -> float:
+def _astray(case: Case, document: Document, back: InverseTransform, steps: int) -> float:
     """Return the distance of a changed scene from the run [m]; infinite if it stops."""
     course = case.course
     try:

@@ -104,7 +104,7 @@ def start(level: Level, rate: float | None = None) -> World:
     raise Refused(f"needs ever higher rates, at last {rate:,} Hz")
 
 
-def led(scene: Scene, level: Level) -> Course:
+def run_at_advised_rate(scene: Scene, level: Level) -> Course:
     """Run a level and, if it stops and a rate is advised, run it again at that rate.
 
     Raises `Refused` if it cannot start.

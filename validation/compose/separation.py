@@ -12,7 +12,7 @@ from itertools import combinations, product
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.space_arrays import Booleans
 from validation.compose.shapes import Part, is_dynamic, outline
 from validation.stability.scene import Document
 

@@ -14,8 +14,8 @@ import numpy as np
 from scipy.optimize import linprog
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Integers
-from validation.compose.joint_constraints import Keeping, Places
+from sandbox.physics.engine.space_arrays import Integers
+from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.separation import body_of, gap, placed, solids
 from validation.compose.shapes import extent, is_dynamic, outline
 from validation.stability.scene import Document
@@ -52,7 +52,7 @@ class Measured:
 class Statics:
     """The equilibrium of a scene with its bodies at the positions of one instant."""
 
-    def __init__(self, document: Document, keeping: Keeping, places: Places) -> None:
+    def __init__(self, document: Document, keeping: JointConstraints, places: Places) -> None:
         self._document, self._keeping, self._places = document, keeping, places
         self._bodies = list(document["bodies"].values())
         self._position = np.column_stack((places.x[0], places.y[0]))

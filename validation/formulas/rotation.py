@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from validation.formulas import lagrange
-from validation.formulas.arrays import Array
+from validation.formulas.array_type import Array
 from validation.formulas.lagrange import pendulum_period
 
 HOOP = 1.0

@@ -10,7 +10,7 @@ from rich.console import Console
 
 from sandbox.model.errors import MisuseError, SandboxError
 from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.reporting import plots
 from validation.output import save
 from validation.report import measurements, page

@@ -14,7 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import read_ordinary, without_links
 from validation import suite
 from validation.case import Case, Outcome
-from validation.case_tables import read
+from validation.case_loading import read
 from validation.cases import PHENOMENA, all_cases
 from validation.cost import command as cost
 from validation.cost.requests import Request

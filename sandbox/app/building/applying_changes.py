@@ -4,13 +4,13 @@ import re
 from time import perf_counter
 
 from sandbox.app.building.drafts import Drafts
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.toolbox import Toolbox
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.state.errors import SimulationError
 
 PATIENCE = 1.5
@@ -20,7 +20,7 @@ PATIENCE = 1.5
 class Applying:
     """Applies the edited level to the session."""
 
-    def __init__(self, work: Work, drafts: Drafts, tools: Toolbox) -> None:
+    def __init__(self, work: EditedLevel, drafts: Drafts, tools: Toolbox) -> None:
         self._work, self._drafts, self._tools = work, drafts, tools
         self.refusal: Message = NOTHING
         """The reason why the level cannot run as it is; empty if it can."""

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
-from sandbox.app.building.button_action import Act
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.button_action import ButtonAction
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import transforms
 from sandbox.editing.edits.mirroring import mirror
@@ -29,7 +29,7 @@ SIDES: Mapping[str, Side] = {
 """The sides at which bodies are aligned, by the captions of the buttons."""
 
 
-def arrangements(work: Work) -> list[Act]:
+def arrangements(work: EditedLevel) -> list[ButtonAction]:
     """Return the actions that arrange the selected bodies."""
     names = work.chosen
     if not names:
@@ -53,7 +53,7 @@ def arrangements(work: Work) -> list[Act]:
     ]
 
 
-def _rope(work: Work, names: Sequence[str]) -> list[Act]:
+def _rope(work: EditedLevel, names: Sequence[str]) -> list[ButtonAction]:
     """Return the action that lays a rope over a disc, if it is selected with two other bodies."""
     level = work.draft.level
     if level is None or drum_of(level, names) is None:
@@ -61,22 +61,24 @@ def _rope(work: Work, names: Sequence[str]) -> list[Act]:
     tip = say("knots joined by rods, from one body over the disc to the other")
     said = say("lay a rope over the disc")
     lay = partial(work.make, said, lambda text, level: wrap(text, level, names))
-    return [Act(say("Rope over the disc"), tip, lay)]
+    return [ButtonAction(say("Rope over the disc"), tip, lay)]
 
 
-def _grouping(work: Work, names: Sequence[str]) -> list[Act]:
+def _grouping(work: EditedLevel, names: Sequence[str]) -> list[ButtonAction]:
     """Return the actions that group bodies, and ungroup the groups that they are in."""
     found = [work.with_group(("bodies", name)) for name in names]
     grouped = any(len(group) > 1 for group in found)
     one = grouped and {part[1] for part in found[0]} == set(names)
-    ungroup = Act(say("Ungroup"), say("select each by itself (Ctrl Shift G)"), work.ungroup)
+    ungroup = ButtonAction(
+        say("Ungroup"), say("select each by itself (Ctrl Shift G)"), work.ungroup
+    )
     if one or len(names) < 2:
         return [ungroup] if grouped else []
-    group = Act(say("Group"), say("select them together (Ctrl G)"), work.group)
+    group = ButtonAction(say("Group"), say("select them together (Ctrl G)"), work.group)
     return [group, *([ungroup] if grouped else [])]
 
 
-def _flat(work: Work) -> Act:
+def _flat(work: EditedLevel) -> ButtonAction:
     tip = say("turn and move it until one side lies on the nearest surface")
     return _arranging(work, say("Lay flat"), tip, _lay_flat, reach=NEAR / work.camera.scale)
 
@@ -91,6 +93,10 @@ def _lay_flat(text: str, level: Level, names: Sequence[str], reach: float) -> st
     return transforms.move(turned, lying, names, found.point)
 
 
-def _arranging(work: Work, caption: str, tip: str, edit: Callable[..., str], **how: object) -> Act:
+def _arranging(
+    work: EditedLevel, caption: str, tip: str, edit: Callable[..., str], **how: object
+) -> ButtonAction:
     """Return the action that edits the selected bodies in some way."""
-    return Act(caption, tip, partial(work.change, caption, partial(edit, names=work.chosen, **how)))
+    return ButtonAction(
+        caption, tip, partial(work.change, caption, partial(edit, names=work.chosen, **how))
+    )

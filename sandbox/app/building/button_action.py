@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 
-class Act(NamedTuple):
+class ButtonAction(NamedTuple):
     """The caption of a button, its tooltip, and the function that it calls."""
 
     caption: str

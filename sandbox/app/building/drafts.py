@@ -12,7 +12,7 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import make_folder
 from sandbox.model.level import Level
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 
 OFTEN = 1.0  # s, between two checks of drafts and files
 

@@ -28,7 +28,7 @@ Sort = Literal["number", "text", "choice", "switch", "json"]
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class EditableField:
     """A field that can be set."""
 
     path: Path
@@ -62,7 +62,7 @@ class Section:
     rows: tuple["Row", ...]
 
 
-Row = tuple[Entry, ...] | Section
+Row = tuple[EditableField, ...] | Section
 """One line of the inspector: an entry, the two coordinates of a point, or a section's heading."""
 
 
@@ -79,7 +79,7 @@ def rows(model: type[Model], said: Mapping[str, Json], path: Path) -> list[Row]:
     return found
 
 
-def read(entry: Entry, typed: str) -> Json:
+def read(entry: EditableField, typed: str) -> Json:
     """Return the value that a text means; None if the field is to be left out.
 
     A text that is not JSON is a string: a formula, a name or words.
@@ -163,7 +163,7 @@ def _named(kind: Any, said: Mapping[str, Json], path: Path) -> Iterator[Section]
 
 def _entry(
     label: str, kind: Any, said: Json, path: Path, told: str, default: object, *, required: bool,  # noqa: ANN401
-) -> Entry:  # fmt: skip
+) -> EditableField:  # fmt: skip
     kind, unit = bare(kind), ""
     sort: Sort = "json"
     choices: tuple[str, ...] = ()
@@ -178,7 +178,7 @@ def _entry(
     elif get_origin(kind) is Literal and all(isinstance(c, str) for c in get_args(kind)):
         sort, choices = "choice", get_args(kind)
     shown = _shown(said)
-    return Entry(path, label, told, unit, sort, shown, _default(default), choices, required)
+    return EditableField(path, label, told, unit, sort, shown, _default(default), choices, required)
 
 
 def _shown(said: Json) -> str:

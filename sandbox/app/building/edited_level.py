@@ -4,7 +4,7 @@ import json
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, TypeVar
 
-from sandbox.app.building.partial_level import Sketch
+from sandbox.app.building.partial_level import PartialLevel
 from sandbox.app.building.pointer import Part
 from sandbox.app.building.snapping import Snapping
 from sandbox.app.drawing.camera import Camera
@@ -12,13 +12,13 @@ from sandbox.app.words.language import later, say
 from sandbox.editing import suggested_checks
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, grouping, transforms
-from sandbox.editing.edits.edit_result import Made
-from sandbox.editing.written_out import plain
+from sandbox.editing.edits.edit_result import EditResult
+from sandbox.editing.expanded_level import plain
 from sandbox.model.comments import members
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.shapes import XY
+from sandbox.model.translatable_message import Message
 
 ASIDE = 40.0  # px, from the original to its copy
 MARGIN = 6.0  # px, the largest distance at which a click is on a part
@@ -26,7 +26,7 @@ MARGIN = 6.0  # px, the largest distance at which a click is on a part
 Found = TypeVar("Found")
 
 
-class Work:
+class EditedLevel:
     """The level under edit.
 
     Attributes
@@ -76,7 +76,7 @@ class Work:
         """Draw the present text."""
         self.text = plain(self.draft.text)
         self.document: Mapping[str, Any] = json.loads(self.text, object_pairs_hook=members)
-        self.sketch = Sketch(self.document)
+        self.sketch = PartialLevel(self.document)
         self.version = object()
         self.select(self.selected)
 
@@ -151,7 +151,9 @@ class Work:
         """The first mistake of the text."""
         return _first(self.draft.mistakes)
 
-    def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
+    def make(
+        self, said: str, edit: Callable[[str, Level], EditResult], family: str = "bodies"
+    ) -> bool:
         """Add parts to the level and select them, and return whether that was possible."""
         names: list[str] = []
 

@@ -12,14 +12,14 @@ import pygame
 from sandbox.app.building import keys
 from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.drafts import Drafts
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.editor_on_stage import EditorOnStage
 from sandbox.app.building.effect_costs import EffectCosts
 from sandbox.app.building.live_edits import KEPT
 from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.saving import Saving
 from sandbox.app.building.toolbox import FIRST, Toolbox
-from sandbox.app.building.trial_run import Trial
+from sandbox.app.building.trial_run import TrialRuns
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
@@ -35,11 +35,11 @@ class Editor:
     """The worker of the Build page, one for each window."""
 
     def __init__(self) -> None:
-        self.work = Work()
+        self.work = EditedLevel()
         """The level under edit."""
         self.drafts = Drafts()
         """The drafts of all edited levels."""
-        self.trial = Trial()
+        self.trial = TrialRuns()
         """The runs of the level."""
         self.tools = Toolbox(self.work, self.trial.live)
         """The tools that change the level, or its run."""
@@ -56,7 +56,7 @@ class Editor:
         self._on_stage = EditorOnStage(self.work, self.trial.live, self.tools, self.applying)
 
     @property
-    def bench(self) -> Work:
+    def bench(self) -> EditedLevel:
         """The level or its run, whichever is on the stage, and changed by the tools."""
         return self.tools.bench
 

@@ -6,10 +6,10 @@ import pygame
 
 from sandbox.app.building import painting
 from sandbox.app.building.applying_changes import Applying
-from sandbox.app.building.edited_level import Work
-from sandbox.app.building.live_edits import Live
-from sandbox.app.building.marked_faults import Foreseeing
-from sandbox.app.building.pointer import Spot
+from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.fault_preview import FaultPreview
+from sandbox.app.building.live_edits import EditableRun
+from sandbox.app.building.pointer import MousePosition
 from sandbox.app.building.toolbox import FIRST, Toolbox
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage.stage import Stage
@@ -20,11 +20,13 @@ from sandbox.model.shapes import XY
 class EditorOnStage:
     """Passes the mouse to the current tool, and draws the level with the preview of the tool."""
 
-    def __init__(self, work: Work, live: Live, tools: Toolbox, applying: Applying) -> None:
+    def __init__(
+        self, work: EditedLevel, live: EditableRun, tools: Toolbox, applying: Applying
+    ) -> None:
         self._work, self._live, self._tools, self._applying = work, live, tools, applying
-        self._spot: Spot | None = None
-        self._picture = painting.Picture()
-        self._foreseeing = Foreseeing()
+        self._spot: MousePosition | None = None
+        self._picture = painting.CachedDrawing()
+        self._foreseeing = FaultPreview()
 
     # the mouse
 
@@ -78,13 +80,13 @@ class EditorOnStage:
         if not self._tools.hand.busy:
             self._live.let_time_run()
 
-    def _spot_at(self, pixel: XY) -> Spot:
+    def _spot_at(self, pixel: XY) -> MousePosition:
         """Return the position of the mouse; while Alt is held it does not snap."""
         bench, held = self._tools.bench, pygame.key.get_mods()
         free = bench.camera.to_world(pixel)
         shift, loose = bool(held & pygame.KMOD_SHIFT), bool(held & pygame.KMOD_ALT)
         catch = partial(bench.snapping.point, in_line=self._tools.tool == "join")
-        return Spot(pixel, free, shift, loose, catch)
+        return MousePosition(pixel, free, shift, loose, catch)
 
     # the picture
 

@@ -2,14 +2,14 @@
 
 from collections.abc import Mapping
 
-from sandbox.app.background import Errand
+from sandbox.app.background import BackgroundTask
 from sandbox.app.words.formatting import number
 from sandbox.app.words.language import say
 from sandbox.editing.edits.effects import costs
 from sandbox.model.level import Level
 
 
-class EffectCosts(Errand):
+class EffectCosts(BackgroundTask):
     """Measures what each effect costs, for one state of a level at a time."""
 
     def __init__(self) -> None:

@@ -6,9 +6,9 @@ from functools import partial
 from typing import Any
 
 from sandbox.app.building import editable_fields
-from sandbox.app.building.button_action import Act
-from sandbox.app.building.editable_fields import Entry, Row
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.button_action import ButtonAction
+from sandbox.app.building.editable_fields import EditableField, Row
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.effect_examples import example
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggested_checks
@@ -41,7 +41,7 @@ MOST_NAMES = 6
 """The largest number of names offered while one is typed."""
 
 
-def subject(work: Work) -> str:
+def subject(work: EditedLevel) -> str:
     """Return a description of the inspected parts."""
     match work.selected:
         case ():
@@ -54,7 +54,7 @@ def subject(work: Work) -> str:
             return plural("{count} part", "{count} parts", len(several))
 
 
-def rows(work: Work) -> Sequence[Row]:
+def rows(work: EditedLevel) -> Sequence[Row]:
     """Return the rows for the selection; for several bodies, those of fields they can share."""
     match work.selected:
         case () if not work.fixed:
@@ -63,13 +63,15 @@ def rows(work: Work) -> Sequence[Row]:
             said = work.document[family][name]
             model = Body if family == "bodies" else editable_fields.model_of(Joint, said)
             found = editable_fields.rows(model, said, (family, name)) if model else ()
-            called = Entry((family, name), say("name"), say(NAMED), "", "text", name, required=True)
+            called = EditableField(
+                (family, name), say("name"), say(NAMED), "", "text", name, required=True
+            )
             return [(called,), *(row for row in found if _field(row) not in work.fixed)]
     several = len(work.chosen) == len(work.selected) > 1
     return list(_alike(work)) if several and not work.fixed else ()
 
 
-def _alike(work: Work) -> Iterator[Row]:
+def _alike(work: EditedLevel) -> Iterator[Row]:
     """Yield the rows for fields that bodies can share; where they differ, a field is empty."""
     first, *others = (work.document["bodies"][name] for name in work.chosen)
     for row in editable_fields.rows(Body, first, ("bodies", work.chosen[0])):
@@ -85,7 +87,7 @@ def _alike(work: Work) -> Iterator[Row]:
             yield (replace(row[0], shown=""),)
 
 
-def _places(work: Work, path: Path) -> list[Path]:
+def _places(work: EditedLevel, path: Path) -> list[Path]:
     """Return the paths of a field: one in each body, if several are selected."""
     if len(work.selected) < 2:
         return [path]
@@ -97,7 +99,9 @@ def _field(row: Row) -> str | int:
     return (row.path if isinstance(row, editable_fields.Section) else row[0].path)[2]
 
 
-def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
+def assign(
+    work: EditedLevel, row: Sequence[EditableField], entry: EditableField, typed: str
+) -> str:
     """Set a field to a typed text; return the reason if that is impossible, else an empty text."""
     try:
         if len(entry.path) == 2 and entry.path[0] in ("bodies", "joints"):
@@ -114,7 +118,7 @@ def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
     return ""
 
 
-def _rename(work: Work, entry: Entry, name: str) -> None:
+def _rename(work: EditedLevel, entry: EditableField, name: str) -> None:
     """Rename a body or a joint wherever it is mentioned; it stays selected."""
     family = str(entry.path[0])
     work.put(
@@ -124,7 +128,7 @@ def _rename(work: Work, entry: Entry, name: str) -> None:
     work.select([(family, name)])
 
 
-def _assigned(text: str, row: Sequence[Entry], entry: Entry, typed: str) -> str:
+def _assigned(text: str, row: Sequence[EditableField], entry: EditableField, typed: str) -> str:
     """Return the text with a new value; a point that was left out gets both coordinates."""
     if len(row) > 1 and not all(each.shown for each in row):
         whole = [float(each.default or 0) for each in row]
@@ -132,7 +136,7 @@ def _assigned(text: str, row: Sequence[Entry], entry: Entry, typed: str) -> str:
     return set_field(text, entry.path, typed)
 
 
-def completions(work: Work, entry: Entry, typed: str) -> list[str]:
+def completions(work: EditedLevel, entry: EditableField, typed: str) -> list[str]:
     """Return the names that complete a typed text, the likeliest first."""
     level, begun = work.draft.level, typed.strip()
     if level is None or not begun:
@@ -145,7 +149,7 @@ def completions(work: Work, entry: Entry, typed: str) -> list[str]:
     return [] if begun in found else found[:MOST_NAMES]
 
 
-def numbers(work: Work) -> frozenset[Path]:
+def numbers(work: EditedLevel) -> frozenset[Path]:
     """Return the paths of the numbers that can be made parameters, as they use no names yet."""
     if work.fixed or work.draft.level is None:
         return frozenset()
@@ -156,7 +160,7 @@ def _numbers(level: Level) -> frozenset[Path]:
     return frozenset(path for path, expression in expressions(level) if not expression.names)
 
 
-def parametrise(work: Work, entry: Entry) -> None:
+def parametrise(work: EditedLevel, entry: EditableField) -> None:
     """Turn a number into a parameter, which gets a slider on the level's page.
 
     For a slope or a body on it, the angle of both is replaced. Several selected bodies share the
@@ -178,12 +182,12 @@ def parametrise(work: Work, entry: Entry) -> None:
         work.tell(say(message, name=name))
 
 
-def declared(work: Work) -> tuple[str, ...]:
+def declared(work: EditedLevel) -> tuple[str, ...]:
     """Return the declared effects."""
     return tuple(work.document.get("effects", ()))
 
 
-def switch(work: Work, effect: str) -> None:
+def switch(work: EditedLevel, effect: str) -> None:
     """Switch an effect on, with default settings, or off."""
     if effect in declared(work):
         said = say("switch {effect} off", effect=say(effect))
@@ -194,24 +198,24 @@ def switch(work: Work, effect: str) -> None:
         work.change(said, lambda text, level: effects.declare(text, level, effect, example))
 
 
-def _example(work: Work, effect: str) -> Mapping[str, Any]:
+def _example(work: EditedLevel, effect: str) -> Mapping[str, Any]:
     """Return example settings of an effect that requires some."""
     bodies = work.sketch.bodies.items()
     moving = [name for name, body in bodies if body.outline.heavy]
     return example(effect, moving, [name for name, body in bodies if not body.outline.heavy])
 
 
-def suggestions(work: Work) -> list[Act]:
+def suggestions(work: EditedLevel) -> list[ButtonAction]:
     """Return the actions that add the checks of the recognised set-ups."""
     if work.draft.level is None:
         return []
     return [
-        Act(say(one.setup), say("add its checks"), partial(_take, work, one))
+        ButtonAction(say(one.setup), say("add its checks"), partial(_take, work, one))
         for one in work.once(suggested_checks.suggestions)
     ]
 
 
-def _take(work: Work, one: Suggestion) -> None:
+def _take(work: EditedLevel, one: Suggestion) -> None:
     title = say(one.setup)
     title = f"{title[:1].upper()}{title[1:]}"
 

@@ -6,7 +6,7 @@ from typing import Protocol
 
 import pygame
 
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.saving import Saving
 from sandbox.app.building.toolbox import FIRST, Toolbox
@@ -56,7 +56,7 @@ class Keyed(Protocol):
     saving: Saving
 
     @property
-    def bench(self) -> Work:
+    def bench(self) -> EditedLevel:
         """The level or its run, whichever the tools change."""
 
     def go_on(self) -> None:

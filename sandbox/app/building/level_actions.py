@@ -3,8 +3,8 @@
 from functools import partial
 from typing import Literal
 
-from sandbox.app.building.button_action import Act
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.button_action import ButtonAction
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.words import level_translation
 from sandbox.app.words.language import say
 from sandbox.editing.edits import events
@@ -19,14 +19,14 @@ LONGEST = 30
 """The largest number of letters of a check's title on its button."""
 
 
-def stated(work: Work) -> list[Act]:
+def stated(work: EditedLevel) -> list[ButtonAction]:
     """Return the actions that add or remove checks, ghosts and a challenge, or change events."""
     if work.draft.level is None:
         return []
     level = work.level
     moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     adding = [
-        Act(
+        ButtonAction(
             say("Add a check"),
             say("of any quantity; its fields are below"),
             partial(_check, work, name),
@@ -35,7 +35,7 @@ def stated(work: Work) -> list[Act]:
     ]
     words = level_translation.of(level)
     checks = [
-        Act(
+        ButtonAction(
             f"− {_cut(level_translation.title(check, words))}",
             say("take this check out"),
             partial(_drop, work, "checks", index),
@@ -43,7 +43,7 @@ def stated(work: Work) -> list[Act]:
         for index, check in enumerate(level.checks)
     ]
     ghosts = [
-        Act(
+        ButtonAction(
             say("− ghost of {name}", name=name),
             say("take this ghost out"),
             partial(_drop, work, "ghosts", name),
@@ -59,19 +59,22 @@ def _cut(title: str) -> str:
     return title if len(title) <= LONGEST else f"{title[: LONGEST - 1].rstrip()}…"
 
 
-def _challenge(work: Work, level: Level, moving: list[str]) -> list[Act]:
+def _challenge(work: EditedLevel, level: Level, moving: list[str]) -> list[ButtonAction]:
     """Return the action that adds a challenge, or removes the present one."""
     if level.challenge is not None:
         tip = say("remove the task from the level")
         drop = partial(
             work.change, say("take out the challenge"), lambda text, _: drop_challenge(text)
         )
-        return [Act(say("− challenge"), tip, drop)]
+        return [ButtonAction(say("− challenge"), tip, drop)]
     tip = say("a task to solve with the sliders: bring a body to a target")
-    return [Act(say("Add a challenge"), tip, partial(_set_task, work, name)) for name in moving[:1]]
+    return [
+        ButtonAction(say("Add a challenge"), tip, partial(_set_task, work, name))
+        for name in moving[:1]
+    ]
 
 
-def _set_task(work: Work, body: str) -> None:
+def _set_task(work: EditedLevel, body: str) -> None:
     task = say("Bring {body} to where it belongs.", body=body)
     labels = say("between left and right"), say("not above")
     edit = partial(add_challenge, body=body, task=task, labels=labels)
@@ -79,27 +82,27 @@ def _set_task(work: Work, body: str) -> None:
         work.tell(say("Its task and its goals are fields below, under challenge"))
 
 
-def _waiting(work: Work, level: Level) -> list[Act]:
+def _waiting(work: EditedLevel, level: Level) -> list[ButtonAction]:
     """Return the actions that let events wait for a quantity instead of a time."""
     tip = say("it waits until a quantity crosses a value; its fields are below, under events")
     return [
-        Act(say("{event}: when ...", event=name), tip, partial(_wait, work, name))
+        ButtonAction(say("{event}: when ...", event=name), tip, partial(_wait, work, name))
         for name, event in level.events.items()
         if isinstance(event.at, Expression)
     ][:MOST_TOLD]
 
 
-def _wait(work: Work, event: str) -> None:
+def _wait(work: EditedLevel, event: str) -> None:
     said = say("let {event} wait for a quantity", event=event)
     work.change(said, lambda text, level: events.wait_for_quantity(text, level, event))
 
 
-def _check(work: Work, body: str) -> None:
+def _check(work: EditedLevel, body: str) -> None:
     new = {"quantity": f"{body}.position.x", "formula": "0", "tolerance": 1e-3}
     if work.change(say("add a check"), lambda text, level: add_checks(text, level, [new])):
         work.tell(say("Type its quantity and its formula below, under checks"))
 
 
-def _drop(work: Work, part: Literal["checks", "ghosts"], which: int | str) -> None:
+def _drop(work: EditedLevel, part: Literal["checks", "ghosts"], which: int | str) -> None:
     said = say("take out a check") if part == "checks" else say("take out a ghost")
     work.change(said, lambda text, _: drop_told(text, part, which))

@@ -4,21 +4,21 @@ The present state is edited as a level, with which the run continues from this s
 keeps the change among its actions, so that it can be repeated, shared and undone.
 """
 
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.pointer import Part
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
 from sandbox.editing.draft import Draft
 from sandbox.editing.run_as_level import MOVES, as_it_stands
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import NOTHING, Message
 from sandbox.model.shapes import XY
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.stepping.world import World
 
 KEPT = later("The present state is a level of its own now; the original level is unchanged")
 
 
-class Live(Work):
+class EditableRun(EditedLevel):
     """The editable state of the run, on the stage while the run is shown.
 
     Attributes

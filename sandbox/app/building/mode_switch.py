@@ -1,9 +1,9 @@
 """Switching between building the level and running it, with undo across both."""
 
 from sandbox.app.building.applying_changes import Applying
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.toolbox import Toolbox
-from sandbox.app.building.trial_run import Trial
+from sandbox.app.building.trial_run import TrialRuns
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
@@ -12,7 +12,9 @@ from sandbox.model.errors import SandboxError
 class ModeSwitch:
     """Switches between building and the run; undo and redo work across both."""
 
-    def __init__(self, work: Work, trial: Trial, tools: Toolbox, applying: Applying) -> None:
+    def __init__(
+        self, work: EditedLevel, trial: TrialRuns, tools: Toolbox, applying: Applying
+    ) -> None:
         self._work, self._trial, self._tools, self._applying = work, trial, tools, applying
 
     @staticmethod

@@ -6,8 +6,8 @@ from math import sqrt
 import pygame
 
 from sandbox.app.building import shape_preview
-from sandbox.app.building.edited_level import Work
-from sandbox.app.building.partial_level import Parts, Sketch
+from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.partial_level import PartialLevel, Parts
 from sandbox.app.building.pointer import Part
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
@@ -23,14 +23,14 @@ FRAME = 8.0  # px, between a group and the frame around it
 caught = shape_preview.caught
 
 
-class Picture:
+class CachedDrawing:
     """A cached drawing of a level and the selection, until either or the camera changes."""
 
     def __init__(self) -> None:
         self._kept = pygame.Surface((1, 1))
         self._key: object = None
 
-    def of(self, work: Work, pen: Pen) -> pygame.Surface:
+    def of(self, work: EditedLevel, pen: Pen) -> pygame.Surface:
         """Return the picture of the level under edit."""
         camera = work.camera
         key = camera.center, camera.scale, camera.size, work.version, work.selected
@@ -45,14 +45,14 @@ class Picture:
 
 
 def draw_selected(
-    surface: pygame.Surface, sketch: Sketch, selected: Sequence[Part], camera: Camera
+    surface: pygame.Surface, sketch: PartialLevel, selected: Sequence[Part], camera: Camera
 ) -> None:
     """Draw a line around each selected part."""
     for family, name in selected:
         _around(surface, sketch, family, name, camera, theme.TEXT)
 
 
-def draw_groups(surface: pygame.Surface, work: Work) -> None:
+def draw_groups(surface: pygame.Surface, work: EditedLevel) -> None:
     """Draw a dashed frame around each group that is selected as a whole."""
     chosen, bodies = set(work.chosen), work.sketch.bodies
     for group in work.groups:

@@ -35,7 +35,7 @@ from sandbox.model.wires import along
 Part = TypeVar("Part")
 
 
-class Readings(Generic[Part]):
+class PartCache(Generic[Part]):
     """Reads parts, and reuses those that are unchanged in the next scene.
 
     `read` makes a part from its JSON text, or raises a `ValidationError`.
@@ -71,12 +71,12 @@ SIDEWAYS = 2000.0
 """m, the drawn length of a rail on each side."""
 
 _JOINT: TypeAdapter[Joint] = TypeAdapter(Joint, config=ConfigDict(defer_build=True))
-_body = Readings(Body.model_validate_json)
-_joint: Readings[Joint] = Readings(_JOINT.validate_json)
+_body = PartCache(Body.model_validate_json)
+_joint: PartCache[Joint] = PartCache(_JOINT.validate_json)
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class DrawableBody:
     """A body at the start."""
 
     spec: Body
@@ -96,7 +96,7 @@ class Drawn:
 
 
 @dataclass(frozen=True, slots=True)
-class Tied:
+class DrawableJoint:
     """A joint at the start, through points of the plane [m]."""
 
     spec: Joint
@@ -107,8 +107,8 @@ class Tied:
 class Parts:
     """Bodies and joints that can be drawn, by name."""
 
-    bodies: Mapping[str, Drawn]
-    joints: Mapping[str, Tied]
+    bodies: Mapping[str, DrawableBody]
+    joints: Mapping[str, DrawableJoint]
 
 
 def parts_of(level: Level) -> Parts:
@@ -118,7 +118,7 @@ def parts_of(level: Level) -> Parts:
     return Parts(dict(bodies), dict(joints))
 
 
-class Sketch(Parts):
+class PartialLevel(Parts):
     """The drawable content of a level's text."""
 
     def __init__(self, document: Mapping[str, Any]) -> None:
@@ -235,12 +235,15 @@ def _view(text: str) -> View:
         return View()
 
 
-def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, Drawn]]:
+def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, DrawableBody]]:
     moving = 0
     for row, (name, spec) in enumerate(specs.items()):
         try:
             outline = outlined(name, row, spec, values, moving)
-            yield name, Drawn(spec, outline, evaluate(spec.position, values), spec.angle(values))
+            yield (
+                name,
+                DrawableBody(spec, outline, evaluate(spec.position, values), spec.angle(values)),
+            )
         except (SandboxError, ArithmeticError, KeyError):  # a formula without a value here
             continue
         moving += spec.type != "static"
@@ -248,10 +251,10 @@ def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, Dra
 
 def _tied(
     tied: Mapping[str, Joint], specs: Mapping[str, Body], values: Values
-) -> Iterator[tuple[str, Tied]]:
+) -> Iterator[tuple[str, DrawableJoint]]:
     for name, joint in tied.items():
         try:
-            yield name, Tied(joint, tuple(_path(joint, specs, values)))
+            yield name, DrawableJoint(joint, tuple(_path(joint, specs, values)))
         except (SandboxError, ArithmeticError, LookupError):  # or an end at a missing body
             continue
 

@@ -11,7 +11,7 @@ Part = tuple[str, str]
 """A body or a joint: `bodies` or `joints`, and its name."""
 
 
-class Snapped(NamedTuple):
+class SnappedPoint(NamedTuple):
     """A point after snapping, and what it snapped to."""
 
     point: XY
@@ -21,7 +21,7 @@ class Snapped(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Spot:
+class MousePosition:
     """The position of the mouse."""
 
     pixel: XY
@@ -32,13 +32,13 @@ class Spot:
     """Whether Shift is held."""
     loose: bool
     """Whether Alt is held, which turns off snapping."""
-    catch: Callable[[XY], Snapped]
+    catch: Callable[[XY], SnappedPoint]
     """The function that snaps a point."""
 
     @cached_property
-    def snapped(self) -> Snapped:
+    def snapped(self) -> SnappedPoint:
         """The position after snapping to the grid or a part of the scene."""
-        return Snapped(self.free, "") if self.loose else self.catch(self.free)
+        return SnappedPoint(self.free, "") if self.loose else self.catch(self.free)
 
     @property
     def point(self) -> XY:

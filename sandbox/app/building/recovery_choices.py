@@ -4,7 +4,7 @@ from functools import partial
 from time import localtime, strftime
 from typing import NamedTuple
 
-from sandbox.app.building.button_action import Act
+from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.editor import Editor
 from sandbox.app.runs.session import Session
 from sandbox.app.words import level_translation
@@ -18,29 +18,29 @@ MOST = 6
 """The largest number of drafts that are offered."""
 
 
-class Offer(NamedTuple):
+class RecoveryChoice(NamedTuple):
     """A choice: its text and its buttons."""
 
     text: str
-    ways: tuple[Act, ...]
+    ways: tuple[ButtonAction, ...]
 
 
-def offers(editor: Editor, session: Session) -> list[Offer]:
+def offers(editor: Editor, session: Session) -> list[RecoveryChoice]:
     """Return the present choices."""
     found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
     if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
         ways = tuple(_going_on(draft, editor, session) for draft in others)
-        found.append(Offer(say("Unsaved drawings:"), ways))
+        found.append(RecoveryChoice(say("Unsaved drawings:"), ways))
     if editor.drafts.outside:
         tip = say("read the file; Ctrl+Z brings your version back")
-        reading = Act(say("Read it"), tip, editor.saving.reload)
+        reading = ButtonAction(say("Read it"), tip, editor.saving.reload)
         tip = say("overwrite it at the next save")
-        mine = Act(say("Keep mine"), tip, partial(_keep, editor))
-        found.append(Offer(say("Another program has changed the file."), (reading, mine)))
+        mine = ButtonAction(say("Keep mine"), tip, partial(_keep, editor))
+        found.append(RecoveryChoice(say("Another program has changed the file."), (reading, mine)))
     return found
 
 
-def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
+def _going_on(draft: Draft, editor: Editor, session: Session) -> ButtonAction:
     """Return the button that opens another draft."""
     level = draft.level
     title = say("a level with mistakes")
@@ -51,7 +51,7 @@ def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
     if level is not None:
         count = len(level.bodies)
         tip = plural("{count} body; go on with it", "{count} bodies; go on with it", count)
-    return Act(caption, tip, partial(editor.begin, session, draft))
+    return ButtonAction(caption, tip, partial(editor.begin, session, draft))
 
 
 def _called(level: Level) -> str:
@@ -61,14 +61,14 @@ def _called(level: Level) -> str:
     return level_translation.of(level)(level.title)
 
 
-def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
+def _recovering(left: Recoverable, editor: Editor, session: Session) -> RecoveryChoice:
     name = left.path.name if left.path else say("a level without a file")
     when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
     going_on = partial(recover, left, editor, session)
-    act = Act(say("Recover"), say("go on with it"), going_on)
-    forget = Act(say("Forget it"), say("delete it"), partial(_forget, left, editor))
+    act = ButtonAction(say("Recover"), say("go on with it"), going_on)
+    forget = ButtonAction(say("Forget it"), say("delete it"), partial(_forget, left, editor))
     message = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
-    return Offer(message, (act, forget))
+    return RecoveryChoice(message, (act, forget))
 
 
 def recover(left: Recoverable, editor: Editor, session: Session) -> None:

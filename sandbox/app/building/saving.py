@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from sandbox.app.building.drafts import Drafts
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.toolbox import Toolbox
 from sandbox.app.words.language import say
 from sandbox.editing.edits.titling import entitled_by
@@ -13,7 +13,7 @@ from sandbox.model.errors import SandboxError
 class Saving:
     """Saves the level under edit."""
 
-    def __init__(self, work: Work, drafts: Drafts, tools: Toolbox) -> None:
+    def __init__(self, work: EditedLevel, drafts: Drafts, tools: Toolbox) -> None:
         self._work, self._drafts, self._tools = work, drafts, tools
         self.naming = False
         """Whether the page asks for a name to save under."""

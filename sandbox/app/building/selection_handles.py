@@ -7,7 +7,7 @@ from math import hypot
 
 import pygame
 
-from sandbox.app.building.partial_level import Drawn
+from sandbox.app.building.partial_level import DrawableBody
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.model.shapes import XY, Arc, Box, Curve
@@ -30,25 +30,25 @@ class Handle:
     place: XY
 
 
-def in_plane(body: Drawn, local: XY) -> XY:
+def in_plane(body: DrawableBody, local: XY) -> XY:
     """Return the position in the plane of a point in the axes of a body [m]."""
     placed = complex(*body.position) + complex(*local) * rect(1, body.angle)
     return placed.real, placed.imag
 
 
-def in_body(body: Drawn, point: XY) -> XY:
+def in_body(body: DrawableBody, point: XY) -> XY:
     """Return the position in the axes of a body of a point of the plane [m]."""
     local = (complex(*point) - complex(*body.position)) * rect(1, -body.angle)
     return local.real, local.imag
 
 
-def size_of(body: Drawn) -> tuple[float, float, float, float]:
+def size_of(body: DrawableBody) -> tuple[float, float, float, float]:
     """Return left, bottom, right and top of a body in its own axes [m]."""
     xs, ys = zip(*body.outline.points, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def middle(bodies: Sequence[Drawn]) -> XY:
+def middle(bodies: Sequence[DrawableBody]) -> XY:
     """Return the point about which bodies are rotated: the middle of several [m]."""
     if len(bodies) == 1:
         return bodies[0].position
@@ -56,7 +56,7 @@ def middle(bodies: Sequence[Drawn]) -> XY:
     return (left + right) / 2, (low + high) / 2
 
 
-def of(bodies: Sequence[Drawn], camera: Camera) -> list[Handle]:
+def of(bodies: Sequence[DrawableBody], camera: Camera) -> list[Handle]:
     """Return the handles of a body, or of several together."""
     handles = [Handle(TURN, _stalk(bodies, camera)[1])]
     if len(bodies) == 1:
@@ -66,7 +66,7 @@ def of(bodies: Sequence[Drawn], camera: Camera) -> list[Handle]:
     return handles
 
 
-def _of_shape(body: Drawn) -> list[XY]:
+def _of_shape(body: DrawableBody) -> list[XY]:
     """Return the positions of the shape's handles in the axes of the body [m]."""
     points, shape = list(body.outline.points), body.spec.shape
     if body.outline.radius is not None:
@@ -81,13 +81,13 @@ def _of_shape(body: Drawn) -> list[XY]:
     return points
 
 
-def _bounds(bodies: Sequence[Drawn]) -> tuple[float, float, float, float]:
+def _bounds(bodies: Sequence[DrawableBody]) -> tuple[float, float, float, float]:
     """Return left, bottom, right and top of several bodies in the plane [m]."""
     xs, ys = zip(*(corner for body in bodies for corner in body.corners), strict=True)
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _stalk(bodies: Sequence[Drawn], camera: Camera) -> tuple[XY, XY]:
+def _stalk(bodies: Sequence[DrawableBody], camera: Camera) -> tuple[XY, XY]:
     """Return both ends of the stalk of the rotation handle [px]."""
     if len(bodies) > 1:
         left, _, right, top = _bounds(bodies)
@@ -107,7 +107,7 @@ def at(handles: list[Handle], pixel: XY) -> Handle | None:
     return handles[index] if distance <= REACH else None
 
 
-def draw(surface: pygame.Surface, bodies: Sequence[Drawn], camera: Camera) -> None:
+def draw(surface: pygame.Surface, bodies: Sequence[DrawableBody], camera: Camera) -> None:
     """Draw the handles of a body, or of several together."""
     lines.stroke(surface, theme.ACCENT, *_stalk(bodies, camera), 1)
     for handle in of(bodies, camera):
@@ -121,7 +121,7 @@ def draw(surface: pygame.Surface, bodies: Sequence[Drawn], camera: Camera) -> No
             surface.fill(theme.ACCENT, box)
 
 
-def dragged(body: Drawn, index: int, to: XY) -> list[XY]:
+def dragged(body: DrawableBody, index: int, to: XY) -> list[XY]:
     """Return a body's outline after a handle was moved, in the axes of the body [m]."""
     points, (x, y) = list(body.outline.points), in_body(body, to)
     if isinstance(body.spec.shape, Box):

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.building.pointer import Snapped
+from sandbox.app.building.pointer import SnappedPoint
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
@@ -49,7 +49,7 @@ def measure(surface: pygame.Surface, pen: Pen, pixel: XY, text: str) -> None:
     surface.blit(line, line.get_rect(center=box.center))
 
 
-def caught(surface: pygame.Surface, camera: Camera, pen: Pen, snapped: Snapped) -> None:
+def caught(surface: pygame.Surface, camera: Camera, pen: Pen, snapped: SnappedPoint) -> None:
     """Mark a point that snapped, and write what it snapped to unless that is the grid."""
     if not snapped.by:
         return

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
-from sandbox.app.building.pointer import Snapped
+from sandbox.app.building.pointer import SnappedPoint
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.words.language import later, say
 from sandbox.editing import snapping
@@ -51,7 +51,7 @@ class Snapping:
     def _reach(self) -> float:
         return REACH / self._work.camera.scale
 
-    def point(self, free: XY, *, in_line: bool = False) -> Snapped:
+    def point(self, free: XY, *, in_line: bool = False) -> SnappedPoint:
         """Return a point after snapping, with `in_line` also to the lines of moving bodies."""
         work = self._work
         try:
@@ -59,15 +59,15 @@ class Snapping:
                 work.level, free, self._reach, self.grid, work.ignored, in_line=in_line
             )
         except SandboxError:  # the last edit made an invalid level, and will be undone
-            return Snapped(free, "")
-        return Snapped(found.point, TOLD.get(found.kind, "") if found.kind else "")
+            return SnappedPoint(free, "")
+        return SnappedPoint(found.point, TOLD.get(found.kind, "") if found.kind else "")
 
-    def moved(self, names: Sequence[str], by: XY) -> Snapped:
+    def moved(self, names: Sequence[str], by: XY) -> SnappedPoint:
         """Return the displacement with which bodies touch what they come near [m]."""
         try:
             found = snapping.snap_body(self._work.level, names, by, self._reach, self.grid)
         except SandboxError:
-            return Snapped(by, "")
+            return SnappedPoint(by, "")
         touched = say(" and ").join(found.bodies)
         touches = say("touches {bodies}", bodies=touched) if found.kind == "contact" else ""
-        return Snapped(found.point, touches)
+        return SnappedPoint(found.point, touches)

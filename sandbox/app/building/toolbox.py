@@ -1,6 +1,6 @@
 """The toolbox: the current tool, and what it changes: the level or its run."""
 
-from sandbox.app.building.edited_level import Work
+from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.tools.joining import JoinTool
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
@@ -12,7 +12,7 @@ FIRST = TOOLS[0].name
 class Toolbox:
     """The tools: one set for the level, and one for its run."""
 
-    def __init__(self, level: Work, run: Work) -> None:
+    def __init__(self, level: EditedLevel, run: EditedLevel) -> None:
         self.bench = level
         """The level or its run, whichever the tools change."""
         self.tool = FIRST
@@ -55,7 +55,7 @@ class Toolbox:
         else:
             self.choose(FIRST)
 
-    def turn_to(self, bench: Work) -> None:
+    def turn_to(self, bench: EditedLevel) -> None:
         """Let the tools act on the level or the run; in the run the first tool is chosen."""
         self.cancel()
         self.bench = bench

@@ -4,7 +4,7 @@ import json
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sandbox.app.building.live_edits import Live
+from sandbox.app.building.live_edits import EditableRun
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.expressions import Values
@@ -23,11 +23,11 @@ class Run(NamedTuple):
     """s, the time at which it was left"""
 
 
-class Trial:
+class TrialRuns:
     """The runs of a level under edit."""
 
     def __init__(self) -> None:
-        self.live = Live()
+        self.live = EditableRun()
         """The run on the stage, as the tools see it."""
         self._left: dict[str, Run] = {}
         self._undone: list[Action] = []

@@ -53,7 +53,7 @@ def suiting(height: int) -> int:
     return ON_DENSE if height >= DENSE else USUAL
 
 
-class Comfort:
+class WindowPreferences:
     """The preferences of a window, initially those that were saved last.
 
     `desktop` is the height of the desktop [px]; 0 if unknown.

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app.background import Errand
+from sandbox.app.background import BackgroundTask
 from sandbox.app.home import picture_cache
 from sandbox.app.home.picture_cache import SIZE
 
@@ -20,7 +20,7 @@ MOST = 80
 """The number of pictures that are kept in memory: more than are ever visible at once."""
 
 
-class Thumbnails(Errand):
+class Thumbnails(BackgroundTask):
     """Loads and draws the pictures of levels."""
 
     def __init__(self) -> None:

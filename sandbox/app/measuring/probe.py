@@ -21,7 +21,7 @@ DIGITS = 4
 AWAY, PADDING = 16, 8  # px, from the instant to the text, and around the text
 
 
-class Found(NamedTuple):
+class ProbedInstant(NamedTuple):
     """An instant of a run."""
 
     body: str
@@ -51,7 +51,7 @@ class Found(NamedTuple):
         return f"{body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
 
 
-def find(view: View, session: Session, pixel: XY) -> Found | None:
+def find(view: View, session: Session, pixel: XY) -> ProbedInstant | None:
     """Return the instant of this run or an earlier one nearest to a pixel; None if none is near."""
     if not (view.few and view.shown["trail"] and alike(session.world, view.world)):
         return None
@@ -61,7 +61,7 @@ def find(view: View, session: Session, pixel: XY) -> Found | None:
     return min(near, key=lambda found: found.distance, default=None)
 
 
-def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
+def _near(view: View, history: History, pixel: XY) -> Iterator[ProbedInstant]:
     """Yield the nearest instant of each moving body, if it is within `REACH`."""
     states, mouse, scale = history.snapshots, view.camera.to_world(pixel), view.camera.scale
     seen, velocity = view.observer.seen(states.position), view.observer.seen(states.velocity)
@@ -75,7 +75,9 @@ def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
             speed = float(np.hypot(*velocity[i, outline.row]))
             place, at = (tuple(found[i, outline.row].tolist()) for found in (seen, paths))
             scales = view.width, view.fastest
-            yield Found(name, float(states.t[i]), place, speed, at, float(distance[i]), scales)
+            yield ProbedInstant(
+                name, float(states.t[i]), place, speed, at, float(distance[i]), scales
+            )
 
 
 def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:

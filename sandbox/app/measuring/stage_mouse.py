@@ -17,7 +17,7 @@ ZOOM = 1.15  # per notch of the wheel
 STILL = 3  # px, the least movement that makes a click a drag
 
 
-class Doing(Enum):
+class MouseAction(Enum):
     """The purpose of a button held down."""
 
     NOTHING = auto()
@@ -27,12 +27,12 @@ class Doing(Enum):
     MEASURING = auto()
 
 
-class Hand:
+class StageMouse:
     """The mouse over the stage."""
 
     def __init__(self, stage: Stage) -> None:
         self._stage = stage
-        self._doing = Doing.NOTHING
+        self._doing = MouseAction.NOTHING
         self._pressed: XY = (0.0, 0.0)
         self._moved = False
         self._components: dict[str, tuple[int, float]] = {}  # by parameter: axis, N at the start
@@ -43,7 +43,7 @@ class Hand:
     @property
     def pulling(self) -> bool:
         """Whether it holds a body."""
-        return self._doing is Doing.PULLING
+        return self._doing is MouseAction.PULLING
 
     def process(self, event: pygame.event.Event, area: pygame.Rect, session: Session) -> None:
         """Handle a mouse event."""
@@ -54,7 +54,7 @@ class Hand:
                 self._move(event.rel, self._local(event.pos, area), session)
             case pygame.MOUSEBUTTONUP if event.button in (1, 2, 3):
                 session.release()
-                self._doing = Doing.NOTHING
+                self._doing = MouseAction.NOTHING
 
     def wheel(self, notches: float, pixel: XY, area: pygame.Rect) -> None:
         """Zoom around the mouse."""
@@ -68,7 +68,7 @@ class Hand:
         if event.button not in (1, 2, 3):
             return
         self._pressed, self._moved = pixel, False
-        self._doing = Doing.PANNING
+        self._doing = MouseAction.PANNING
         if event.button != 1:
             return
         mods = pygame.key.get_mods()
@@ -76,13 +76,13 @@ class Hand:
         self.tape = self._before
         point = self._stage.camera.to_world(pixel)
         if mods & pygame.KMOD_SHIFT:
-            self._doing = Doing.MEASURING
+            self._doing = MouseAction.MEASURING
         elif arrow := self._stage.tip_at(pixel):
-            self._doing = Doing.FORCING
+            self._doing = MouseAction.FORCING
             handles = arrow.handles.items()
             self._components = {name: (axis, arrow.newtons[axis]) for axis, name in handles}
         elif body := self._stage.body_at(pixel):
-            self._doing, session.looking.chosen = Doing.PULLING, body
+            self._doing, session.looking.chosen = MouseAction.PULLING, body
             session.grab(body, point)
 
     def _move(self, by: tuple[int, int], pixel: XY, session: Session) -> None:
@@ -92,16 +92,16 @@ class Hand:
             return
         camera = self._stage.camera
         match self._doing:
-            case Doing.PANNING:
+            case MouseAction.PANNING:
                 camera.pan(*by)
-            case Doing.PULLING:
+            case MouseAction.PULLING:
                 session.drag(camera.to_world(pixel))
-            case Doing.FORCING:
+            case MouseAction.FORCING:
                 self._force(pixel, session)
-            case Doing.MEASURING:
+            case MouseAction.MEASURING:
                 start, end = camera.to_world(self._pressed), camera.to_world(pixel)
                 self.tape = Protractor.on(self._before, end) if self._before else Tape(start, end)
-            case Doing.NOTHING:
+            case MouseAction.NOTHING:
                 pass
 
     def _force(self, pixel: XY, session: Session) -> None:

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from sandbox.app.drawing import theme
 from sandbox.app.observing.state_history import History
-from sandbox.app.observing.thinned_series import Trail
+from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.physics.stepping.world import World
@@ -14,10 +14,10 @@ BRIEF = 0.05
 dragged, a run branches at every step."""
 
 
-class Observed(NamedTuple):
+class RunObservations(NamedTuple):
     """The observations of a run."""
 
-    trail: Trail
+    trail: ThinnedSeries
     history: History
     """The paths of the bodies, and all states that are kept."""
     world: World
@@ -35,10 +35,10 @@ class Earlier(NamedTuple):
     """The parameters that were changed after it; empty if the user acted on the run instead."""
     left: float | None
     """The time at which a branch left it [s]; None if the next run started anew."""
-    trail: Trail
+    trail: ThinnedSeries
     history: History
     world: World
-    """The observations; see `Observed`."""
+    """The observations; see `RunObservations`."""
 
     def label(self, now: Values) -> str:
         """Return a label with the parameters that differ from another run's."""
@@ -61,7 +61,7 @@ def alike(world: World, other: World) -> bool:
 
 
 def kept(
-    earlier: tuple[Earlier, ...], run: Observed, values: Values, left: float | None = None
+    earlier: tuple[Earlier, ...], run: RunObservations, values: Values, left: float | None = None
 ) -> tuple[Earlier, ...]:
     """Return the earlier runs with one more, at most as many as there are colours, the newest last.
 
@@ -79,7 +79,7 @@ def _differing(values: Values, others: Values) -> frozenset[str]:
     return frozenset(name for name, value in values.items() if value != others.get(name, value))
 
 
-def _is_brief(run: Observed) -> bool:
+def _is_brief(run: RunObservations) -> bool:
     """Whether a run is a branch of very short duration; see `BRIEF`."""
     world, begun = run.world, float(run.history.snapshots.t[0])
     lasted, whole = world.t - begun, world.level.duration(world.values)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sandbox.physics.stepping.world import Pair, World
 
 
-class Met(NamedTuple):
+class FirstContact(NamedTuple):
     """The time of a first contact [s], and whether it was located between two steps."""
 
     t: float
@@ -18,11 +18,11 @@ class FirstContacts:
 
     def __init__(self, world: World) -> None:
         self._world, self._names = world, list(world.scene.bodies)
-        self._met: dict[Pair, Met] = {}
+        self._met: dict[Pair, FirstContact] = {}
         self._note(world.contacts.bodies.tolist())
 
     @property
-    def met(self) -> Mapping[Pair, Met]:
+    def met(self) -> Mapping[Pair, FirstContact]:
         """The first contacts so far, by pair of bodies."""
         return self._met
 
@@ -31,10 +31,10 @@ class FirstContacts:
         contacts = self._world.contacts
         if len(contacts.first) and contacts.first.any():
             for pair, t in self._world.impacts:
-                self._met.setdefault(pair, Met(t, located=True))
+                self._met.setdefault(pair, FirstContact(t, located=True))
             self._note(contacts.bodies[contacts.first].tolist())
 
     def _note(self, pairs: list[list[int]]) -> None:
         for first, second in pairs:
             pair = frozenset((self._names[first], self._names[second]))
-            self._met.setdefault(pair, Met(self._world.t, located=False))
+            self._met.setdefault(pair, FirstContact(self._world.t, located=False))

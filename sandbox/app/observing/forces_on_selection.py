@@ -13,7 +13,14 @@ from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
-from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL, Acting, FreeBody
+from sandbox.physics.measuring.free_body import (
+    FRICTION,
+    HAND,
+    IMPACT,
+    NORMAL,
+    AppliedForce,
+    FreeBody,
+)
 from sandbox.physics.measuring.free_body_forces import FreeBodies
 from sandbox.physics.stepping.world import World
 
@@ -38,7 +45,7 @@ HELD = 0.3
 """The time for which the stage shows the numbers of a page, which is updated less often [s]."""
 
 
-class Looking:
+class SelectedBody:
     """The body that the user has selected, and the forces on it."""
 
     def __init__(self) -> None:
@@ -102,7 +109,7 @@ def _whom(found: FreeBody) -> Sequence[tuple[str, str]]:
     return [(acting.name, acting.by) for acting in felt(found)]
 
 
-def color(acting: Acting) -> Color:
+def color(acting: AppliedForce) -> Color:
     """Return the colour of a force."""
     return colors().get(acting.name, theme.BODIES[0])
 
@@ -113,7 +120,7 @@ def colors() -> Mapping[str, Color]:
     return {name: theme.ACTING.get(name) or next(free) for name in dict.fromkeys(_NAMES)}
 
 
-def texts(found: FreeBody) -> Sequence[tuple[Acting, str]]:
+def texts(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:
     """Return the forces on a body, each with the text beside its arrow, which is unique.
 
     The text is as short as possible: the name of the force; for several forces of the same name
@@ -128,22 +135,22 @@ def texts(found: FreeBody) -> Sequence[tuple[Acting, str]]:
     return [*zip(forces, map(" ".join, zip(_numbered(told), sizes, strict=True)), strict=True)]
 
 
-def titles(found: FreeBody) -> Sequence[tuple[Acting, str]]:
+def titles(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:
     """Return the forces on a body, each with its name and what exerts it."""
     forces = felt(found)
     return [*zip(forces, _numbered([*map(_whole, forces)]), strict=True)]
 
 
-def _from(acting: Acting) -> str:
+def _from(acting: AppliedForce) -> str:
     return say("from {giver}", giver=name_in_words(acting.by))
 
 
-def _whole(acting: Acting) -> str:
+def _whole(acting: AppliedForce) -> str:
     called = say(acting.name)
     return f"{called}, {name_in_words(acting.by)}" if acting.by else called
 
 
-def _count(forces: Sequence[Acting], acting: Acting) -> int:
+def _count(forces: Sequence[AppliedForce], acting: AppliedForce) -> int:
     return sum(other.name == acting.name for other in forces)
 
 
@@ -155,7 +162,7 @@ def _numbered(names: Sequence[str]) -> Sequence[str]:
     ]
 
 
-def felt(found: FreeBody) -> Sequence[Acting]:
+def felt(found: FreeBody) -> Sequence[AppliedForce]:
     """Return the forces on a body, without those negligible compared with the largest."""
     return [acting for acting in found.forces if acting.size > FAINT * found.largest]
 

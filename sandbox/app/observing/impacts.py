@@ -25,13 +25,13 @@ MOST = 256
 MOST_MARKS = 60
 """The largest number of marks; with more, the right one would be hard to find."""
 HARD = 0.1
-"""The least strength of a marked impact, as `Blow.share`."""
+"""The least strength of a marked impact, as `RecordedImpact.share`."""
 
 ALIKE = 6
 """Decimals in comparisons of strengths, so that rounding errors do not order impacts."""
 
 
-class Blow(NamedTuple):
+class RecordedImpact(NamedTuple):
     """An impact."""
 
     steps: int
@@ -53,7 +53,7 @@ class Blow(NamedTuple):
 class Flash(NamedTuple):
     """An impact that fades, with its remaining brightness from 1 to 0."""
 
-    blow: Blow
+    blow: RecordedImpact
     left: float
 
 
@@ -66,7 +66,7 @@ class ImpactLog:
         self._usual = level.view.width(values) / level.duration(values)  # m/s
         self._names = list(world.scene.bodies)
         self._peak = 0.0  # kg m/s
-        self._last: deque[Blow] = deque(maxlen=MOST)
+        self._last: deque[RecordedImpact] = deque(maxlen=MOST)
 
     def note(self) -> None:
         """Record a step."""
@@ -74,7 +74,7 @@ class ImpactLog:
         if found is not None:
             self._last.extend(self._judged(found))
 
-    def _judged(self, found: Impacts) -> Iterator[Blow]:
+    def _judged(self, found: Impacts) -> Iterator[RecordedImpact]:
         steps, t = self._world.steps, self._world.t
         self._peak = max(self._peak, found.momentum)
         usual = self._world.scene.mass[found.lighter] * self._usual
@@ -82,12 +82,12 @@ class ImpactLog:
         for i in np.flatnonzero(shares >= FAINTEST).tolist():
             x, y = found.at[i].tolist()
             a, b = found.bodies[i].tolist()
-            yield Blow(
+            yield RecordedImpact(
                 steps, t, (x, y), float(shares[i]), int(found.lighter[i]),
                 (self._names[a], self._names[b]), float(found.impulse[i]),
             )  # fmt: skip
 
-    def since(self, steps: int) -> Sequence[Blow]:
+    def since(self, steps: int) -> Sequence[RecordedImpact]:
         """Return the impacts after some step, the latest first."""
         return list(takewhile(lambda blow: blow.steps > steps, reversed(self._last)))
 
@@ -105,9 +105,9 @@ class ImpactMarks:
     """The impacts that the time bar marks: the hardest of each step, if at least `HARD`."""
 
     def __init__(self) -> None:
-        self._at: dict[int, Blow] = {}
+        self._at: dict[int, RecordedImpact] = {}
 
-    def note(self, blows: Sequence[Blow]) -> None:
+    def note(self, blows: Sequence[RecordedImpact]) -> None:
         """Add the impacts of a step, the latest first; the earliest of the hardest is kept."""
         hardest = max(reversed(blows), key=lambda blow: round(blow.share, ALIKE), default=None)
         if hardest and hardest.share >= HARD and len(self._at) <= MOST_MARKS:
@@ -118,6 +118,6 @@ class ImpactMarks:
         self._at = {step: blow for step, blow in self._at.items() if step <= steps}
 
     @property
-    def shown(self) -> Sequence[Blow]:
+    def shown(self) -> Sequence[RecordedImpact]:
         """The impacts to mark; none if there are more than `MOST_MARKS`."""
         return list(self._at.values()) if len(self._at) <= MOST_MARKS else ()

@@ -55,7 +55,7 @@ class Ration(Generic[T]):
         return self.found
 
 
-class Grading:
+class RunGrader:
     """Grades a recorded run, within the share of time that this may take."""
 
     def __init__(self, recorder: Recorder) -> None:

@@ -9,7 +9,7 @@ from sandbox.app.words import formatting
 from sandbox.model.body import Body
 from sandbox.model.joints import End, Held, Joint, Pulley, Wire, points
 from sandbox.model.shapes import Box, Disc, Hoop, Segment, Shape, evaluate
-from sandbox.physics.measuring.free_body import Acting, FreeBody
+from sandbox.physics.measuring.free_body import AppliedForce, FreeBody
 from sandbox.physics.measuring.free_body_forces import FreeBodies
 from sandbox.physics.measuring.grading import Result
 from sandbox.physics.stepping.world import World
@@ -224,7 +224,7 @@ def _forces_on(found: FreeBody) -> Iterator[str]:
     yield f"together {force} {way(*net)}: {when} at {rate}"
 
 
-def _acting(acting: Acting) -> str:
+def _acting(acting: AppliedForce) -> str:
     """Return a force in words: its name, source, magnitude and direction."""
     name = f"{acting.name} from {acting.by}" if acting.by else acting.name
     torque = formatting.quantity(acting.couple, "N m", DIGITS)

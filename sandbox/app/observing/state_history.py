@@ -5,7 +5,7 @@ from dataclasses import fields
 
 import numpy as np
 
-from sandbox.app.observing.thinned_series import FIELDS, Trail
+from sandbox.app.observing.thinned_series import FIELDS, ThinnedSeries
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
 
@@ -23,7 +23,7 @@ class States:
 
     def __init__(self, rows: Callable[[Snapshot], Array], first: Snapshot) -> None:
         self._rows = rows
-        self._kept = Trail(rows(Snapshot.stack([first]))[0])
+        self._kept = ThinnedSeries(rows(Snapshot.stack([first]))[0])
         self._waiting: list[Snapshot] = []
         self._most = max(min(MANY, FIELDS // max(first.position.size, 1)), 1)
 

@@ -8,7 +8,7 @@ CAPACITY = 4000  # instants
 FIELDS = 400_000  # instants times bodies
 
 
-class Trail:
+class ThinnedSeries:
     """A series of arrays of one shape, such as the positions of bodies.
 
     When it is full, every second instant is dropped, and new ones are kept half as often.

@@ -8,7 +8,7 @@ import pygame
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.files.preferences import Comfort
+from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_time import Load
 from sandbox.app.keys import Binding
 from sandbox.app.runs.session import Session
@@ -42,7 +42,7 @@ class Worker(Protocol):
         """Cancel the work."""
 
 
-class Idle:
+class IdleWorker:
     """A worker without background work, which only remembers something for its page."""
 
     running = False
@@ -86,7 +86,7 @@ class OnStage(Protocol):
 
 
 @runtime_checkable
-class Zoomed(Protocol):
+class ZoomablePage(Protocol):
     """A page with a part that the wheel zooms, instead of scrolling the page."""
 
     def wheel(self, notches: float, pixel: tuple[int, int]) -> bool:
@@ -97,7 +97,7 @@ class Zoomed(Protocol):
 
 
 @runtime_checkable
-class Leading(Protocol):
+class CommandPage(Protocol):
     """A page with buttons for commands of the window."""
 
     def leads(self, button: object) -> str | None:
@@ -119,7 +119,7 @@ class Desk(NamedTuple):
     session: Session
     workers: Sequence[Worker]
     load: Load
-    comfort: Comfort
+    comfort: WindowPreferences
     shown: Mapping[str, bool]
     """whether each overlay of the stage is drawn, by name"""
 

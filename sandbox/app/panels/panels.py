@@ -12,7 +12,7 @@ from pygame_gui.core.utility import set_default_manager
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_entries import Entry
-from sandbox.app.files.preferences import Comfort
+from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_time import Load
 from sandbox.app.home.home import Home
 from sandbox.app.pages import register
@@ -67,8 +67,8 @@ class Panels:
     """
 
     def __init__(
-        self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load, comfort: Comfort,
-        shown: Mapping[str, bool],
+        self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load,
+        comfort: WindowPreferences, shown: Mapping[str, bool],
     ) -> None:  # fmt: skip
         self._pen, self._workers, self._load, self._comfort = pen, workers, load, comfort
         self._shown = shown  # whether each overlay is drawn, by name

@@ -9,10 +9,10 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files.preferences import Comfort
+from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_time import Load
 from sandbox.app.pages import register
-from sandbox.app.pages.page import Asking, Desk, Leading, Zoomed
+from sandbox.app.pages.page import Asking, CommandPage, Desk, ZoomablePage
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
 from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Foot, View
@@ -36,7 +36,7 @@ class SidePanel:
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
-        page: str, view: View | None, workers: Workers, load: Load, comfort: Comfort,
+        page: str, view: View | None, workers: Workers, load: Load, comfort: WindowPreferences,
         shown: Mapping[str, bool],
     ) -> None:  # fmt: skip
         self._session, self._pen = session, pen
@@ -84,7 +84,7 @@ class SidePanel:
         if event.type != UI_BUTTON_PRESSED:
             return None
         at_foot = self.foot.pressed(event.ui_element) if self.foot is not None else None
-        on_page = self.page.leads(event.ui_element) if isinstance(self.page, Leading) else None
+        on_page = self.page.leads(event.ui_element) if isinstance(self.page, CommandPage) else None
         return at_foot or on_page or self._tabs.pressed(event.ui_element)
 
     def act(self, event: pygame.event.Event) -> str | None:
@@ -99,7 +99,7 @@ class SidePanel:
 
     def zooms(self, event: pygame.event.Event) -> bool:
         """Let the wheel or the key Home zoom the page, and return whether it did."""
-        if not isinstance(self.page, Zoomed):
+        if not isinstance(self.page, ZoomablePage):
             return False
         if event.type == pygame.MOUSEWHEEL:
             return self.page.wheel(event.precise_y, pygame.mouse.get_pos())

@@ -9,9 +9,9 @@ from dataclasses import dataclass, field
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.running_checks import Grading, Reading
-from sandbox.app.observing.thinned_series import Trail
-from sandbox.app.runs.step_clock import Clock
+from sandbox.app.observing.running_checks import Reading, RunGrader
+from sandbox.app.observing.thinned_series import ThinnedSeries
+from sandbox.app.runs.step_timer import Clock
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.effect_variants import Variation
@@ -20,7 +20,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.run import build
-from sandbox.physics.stepping.time_limit import Patience
+from sandbox.physics.stepping.time_limit import TimeLimit
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,16 +75,16 @@ class Companion:
     def __init__(self, variant: Variant, values: Values) -> None:
         self.variant = variant
         self.world = build(variant.level, values)
-        self.trail = Trail(self.world.snapshot.position)
+        self.trail = ThinnedSeries(self.world.snapshot.position)
         """The paths of its bodies."""
         self.clock = Clock()
         """The computing time of its steps."""
-        self._patience = Patience()
+        self._patience = TimeLimit()
         self.failure: SandboxError | None = None
         """The error that stopped the run, or None."""
         self._end = count_steps(self.world)
         self._recorder = Recorder(self.world, needed(variant.level))
-        self._grading = Grading(self._recorder)
+        self._grading = RunGrader(self._recorder)
 
     def follow(self, t: float) -> None:
         """Take the steps up to a time [s]."""

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sandbox.app.observing.earlier_runs import Observed
+from sandbox.app.observing.earlier_runs import RunObservations
 from sandbox.app.runs.user_interventions import Action
 
 MOST = 3
@@ -13,7 +13,7 @@ MOST = 3
 class Record(NamedTuple):
     """A run that was left."""
 
-    run: Observed
+    run: RunObservations
     """The observations of the run."""
     actions: Sequence[Action]
     """The user's actions on it."""
@@ -32,13 +32,13 @@ class Records(tuple[Record, ...]):
 
     __slots__ = ()
 
-    def having(self, run: Observed, actions: Sequence[Action]) -> "Records":
+    def having(self, run: RunObservations, actions: Sequence[Action]) -> "Records":
         """Return the records with one more run, unless one of them covers its last step."""
         if any(each.covers(run.steps(), actions) for each in self):
             return self
         return Records((*self, Record(run, actions))[-MOST:])
 
-    def show(self, step: int, actions: Sequence[Action]) -> Observed | None:
+    def show(self, step: int, actions: Sequence[Action]) -> RunObservations | None:
         """Set a recorded world to its state nearest to a step of a run with these actions.
 
         Returns the observations of that world; None if no record covers the step.

@@ -5,18 +5,18 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from sandbox.app.observing import milestones
-from sandbox.app.observing.earlier_runs import Earlier, Observed, kept
+from sandbox.app.observing.earlier_runs import Earlier, RunObservations, kept
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.impacts import ImpactLog, ImpactMarks
 from sandbox.app.observing.milestones import Milestone
-from sandbox.app.observing.running_checks import Grading, Ration, Reading
+from sandbox.app.observing.running_checks import Ration, Reading, RunGrader
 from sandbox.app.observing.state_history import History
-from sandbox.app.observing.thinned_series import Trail
+from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.play_speed import Pace
 from sandbox.app.runs.run_limits import Limits
 from sandbox.app.runs.run_start import Beginning
-from sandbox.app.runs.step_clock import Clock
+from sandbox.app.runs.step_timer import Clock
 from sandbox.app.runs.user_interventions import Action, perform
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -24,7 +24,7 @@ from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.goals import Attempt, attempt
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
-from sandbox.physics.stepping.time_limit import Patience
+from sandbox.physics.stepping.time_limit import TimeLimit
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class LiveRun:
         self.trying = False
         self.advice: Advice | None = None
         """Whether remedies are being tried, and those found; None if not known yet."""
-        self.trail = Trail(world.snapshot.position)
+        self.trail = ThinnedSeries(world.snapshot.position)
         self.history = History(world.snapshot)
         self.books = Books(world, self.end)
         """The energies of the run, and their balance."""
@@ -69,13 +69,13 @@ class LiveRun:
         """The user's actions up to the current step."""
         self.script: Sequence[Action] = ()
         """Actions at later steps, to be repeated there unless the user acts first."""
-        self.ahead: Observed | None = None
+        self.ahead: RunObservations | None = None
         """The observations of the run before it was rewound; None if it was not."""
         self._fork: World | None = None  # the world before the last branch
         graded = *needed(original), *needed(world.level), *milestones.needed(world.level)
         self._quantities = tuple(dict.fromkeys(graded))
         self.limits = Limits()
-        self._patience = Patience()
+        self._patience = TimeLimit()
         self._record()
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
 
@@ -85,10 +85,10 @@ class LiveRun:
         return float(self.world.snapshot.t)
 
     @property
-    def farthest(self) -> Observed:
+    def farthest(self) -> RunObservations:
         """The observations of the run up to the latest step that it has reached."""
-        here = Observed(self.trail, self.history, self.world)
-        return max((run for run in (self.ahead, here) if run), key=Observed.steps)
+        here = RunObservations(self.trail, self.history, self.world)
+        return max((run for run in (self.ahead, here) if run), key=RunObservations.steps)
 
     @property
     def all_actions(self) -> Sequence[Action]:
@@ -99,12 +99,12 @@ class LiveRun:
         """Start a new recording at the current step."""
         self._recorder = Recorder(self.world, self._quantities)
         self._recorded, self._moved = self.world, False
-        self._grading = Grading(self._recorder)
+        self._grading = RunGrader(self._recorder)
         self.limits.recorder = self._recorder
 
     def keep_as_earlier(self, values: Mapping[str, float]) -> None:
         """Add the run to the earlier ones, before parameters change to the given values."""
-        here = Observed(self.trail, self.history, self.world)
+        here = RunObservations(self.trail, self.history, self.world)
         self.earlier = kept(self.earlier, here, values)
 
     def advance(self) -> None:
@@ -221,7 +221,7 @@ class LiveRun:
         self.books.keep(booked)
         self.blows = ImpactLog(world)
         self.contacts = FirstContacts(world)
-        self.trail = Trail(world.snapshot.position)
+        self.trail = ThinnedSeries(world.snapshot.position)
         self.history = History(world.snapshot)
 
     def release_what_is_held(self) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from math import inf
 from time import perf_counter
 
-from sandbox.app.observing.earlier_runs import Observed
+from sandbox.app.observing.earlier_runs import RunObservations
 from sandbox.app.observing.impacts import Flash
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.observing.running_checks import Reading
@@ -58,7 +58,7 @@ class Playback(RunView, ABC):
         self.sought: int | None = None
         """The step that the run is seeking, backwards or forwards; None if it is not."""
         self._records = Records()  # of the run as it was before rewinding
-        self._recalled: Observed | None = None  # the record of the sought step, if any
+        self._recalled: RunObservations | None = None  # the record of the sought step, if any
 
     @abstractmethod
     def _run_anew(self) -> LiveRun:
@@ -85,7 +85,7 @@ class Playback(RunView, ABC):
         return max(self.duration - self.t, 0.0) / pace if pace else None
 
     @property
-    def recalled(self) -> Observed | None:
+    def recalled(self) -> RunObservations | None:
         """The recorded observations of the run at the sought step; None if there are none.
 
         They are shown at once, while the run itself takes some time to reach the step again.
@@ -153,7 +153,7 @@ class Playback(RunView, ABC):
     def _begin_again(self, sought: int, *, undone: bool = False) -> None:
         """Restart with the same parameters, to repeat the recorded actions."""
         before, actions = self.run, self.run.all_actions
-        here = Observed(before.trail, before.history, before.world)
+        here = RunObservations(before.trail, before.history, before.world)
         records = self._records.having(here, before.actions)
         self._take_up(self._run_anew())
         self._records = records

@@ -1,14 +1,14 @@
 """Searches in the background for remedies for a run that failed."""
 
-from sandbox.app.background import Errand
+from sandbox.app.background import BackgroundTask
 from sandbox.app.runs.session import Session
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.advising import remedy_trials
 from sandbox.physics.advising.remedy_trials import Advice
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 
 
-class Advising(Errand):
+class RemedySearch(BackgroundTask):
     """Has remedies tried for the current run, once it has failed."""
 
     def __init__(self) -> None:

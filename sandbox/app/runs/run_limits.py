@@ -6,7 +6,7 @@ Such a run is still valid, so the user may continue it. The window handles event
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.physics.measuring.recording import Recorder
-from sandbox.physics.stepping.time_limit import Patience
+from sandbox.physics.stepping.time_limit import TimeLimit
 
 SLOW = 1.0
 """The longest time of a step [s], since a frame waits for it."""
@@ -20,7 +20,7 @@ class Limits:
     def __init__(self) -> None:
         self.message = ""
         """Why the run is to pause; empty if it is within the limits."""
-        self._patience: Patience | None = Patience(SLOW)
+        self._patience: TimeLimit | None = TimeLimit(SLOW)
         self._room = True  # until the user has been told
 
     def stepped(self, seconds: float) -> None:

@@ -10,7 +10,7 @@ from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import data_folder
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.model.unsaved_files import UnsavedFile, delete, left
 
 OFTEN = 1.0  # s, between two writings

@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.observing.earlier_runs import Earlier, Observed, alike
+from sandbox.app.observing.earlier_runs import Earlier, RunObservations, alike
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.state_history import History
-from sandbox.app.observing.thinned_series import Trail
+from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companions import Companion
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.play_speed import Pace
-from sandbox.app.runs.step_clock import Clock
+from sandbox.app.runs.step_timer import Clock
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
@@ -53,14 +53,14 @@ class RunView:
         return tuple(run for run in self.run.earlier if alike(run.world, self.world))
 
     @property
-    def later(self) -> Observed | None:
+    def later(self) -> RunObservations | None:
         """The run before it was rewound, if it had more steps and the same bodies; else None."""
         ahead = self.run.ahead
         farther = ahead is not None and ahead.steps() > self.world.steps
         return ahead if ahead and farther and alike(ahead.world, self.world) else None
 
     @property
-    def trail(self) -> Trail:
+    def trail(self) -> ThinnedSeries:
         """The paths of the bodies."""
         return self.run.trail
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
-from sandbox.app.observing.forces_on_selection import Looking
+from sandbox.app.observing.forces_on_selection import SelectedBody
 from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.playback import AT_ONCE, Playback
@@ -13,7 +13,7 @@ from sandbox.model.errors import SandboxError, ValueRangeError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.calibration_cache import keep
 from sandbox.physics.advising.remedy_trials import Advice
@@ -49,7 +49,7 @@ class Session(Playback):
         """The effects that were switched off and on."""
         self.branches = False
         """Whether a changed parameter acts from now on, instead of from the start."""
-        self.looking = Looking()
+        self.looking = SelectedBody()
         """The body that the user has selected, and the forces on it."""
         self.repeats = False
         """Whether it repeats a run from a file, which earns no stars."""

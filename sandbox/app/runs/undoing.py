@@ -39,7 +39,7 @@ class Setup(NamedTuple):
     speed: float
 
 
-class Undoing:
+class UndoHistory:
     """The changes that can be undone and redone.
 
     `follow` is called in every frame, and detects changes.

@@ -153,7 +153,7 @@ def _pair(x: float, y: float) -> str:
     return f"({x:.3g}, {y:.3g}) N".replace("-", MINUS)
 
 
-class Written(NamedTuple):
+class ForceLabel(NamedTuple):
     """A text that has its place beside an arrow."""
 
     image: pygame.Surface
@@ -181,7 +181,7 @@ def write_beside(
 def beside(
     surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels, color: Color,
     name: str, avoid: Sequence[pygame.Rect] = (),
-) -> Written | None:  # fmt: skip
+) -> ForceLabel | None:  # fmt: skip
     """Return a text beside the tip of an arrow, or beyond the tip of a steep one.
 
     If labels, arrows or areas to avoid are in the way, the text is placed around the tip or along
@@ -197,9 +197,9 @@ def beside(
     if place is None:
         return None
     if pygame.FRect(place).inflate(LEADER, LEADER).clipline(start, end):
-        return Written(image, place, color, None)
+        return ForceLabel(image, place, color, None)
     near = min(max(end[0], place.left), place.right), min(max(end[1], place.top), place.bottom)
-    return Written(image, place, color, (end, near))
+    return ForceLabel(image, place, color, (end, near))
 
 
 def _beside(image: pygame.Surface, start: XY, end: XY, length: float) -> Iterator[pygame.Rect]:

@@ -18,7 +18,7 @@ from sandbox.app.words.formatting import name_in_words, nice, number
 from sandbox.app.words.level_translation import Say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 

@@ -10,7 +10,7 @@ from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.milestones import Milestone
-from sandbox.app.observing.thinned_series import Trail
+from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companions import Companion
 from sandbox.app.stage import (
     belts_and_flames,
@@ -109,9 +109,9 @@ class Stage:
             self._base_key = None
 
     def draw(
-        self, surface: pygame.Surface, trail: Trail | None = None,
+        self, surface: pygame.Surface, trail: ThinnedSeries | None = None,
         milestones: Sequence[Milestone] = (), beside: Sequence[Companion] = (),
-        earlier: Sequence[Trail] = (),
+        earlier: Sequence[ThinnedSeries] = (),
     ) -> None:  # fmt: skip
         """Draw the current world on a surface of the stage's size.
 
@@ -257,7 +257,9 @@ class Stage:
             pygame.draw.aacircle(self._base, color, (x, y), 8, 2)
             lines.cross(self._base, color, (x, y), 5, 2)
 
-    def _draw_trails(self, own: Trail | None, others: Sequence[tuple[Trail, theme.Color]]) -> None:
+    def _draw_trails(
+        self, own: ThinnedSeries | None, others: Sequence[tuple[ThinnedSeries, theme.Color]]
+    ) -> None:
         """Update the trails on the canvas, starting from the base if necessary."""
         trails = [*(trail for trail, _ in others), *([own] if own else [])]
         colors = [*(color for _, color in others), *([None] if own else [])]

@@ -20,9 +20,9 @@ from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
-    from sandbox.app.observing.forces_on_selection import Looking
+    from sandbox.app.observing.forces_on_selection import SelectedBody
     from sandbox.app.observing.impacts import Flash
-    from sandbox.app.observing.thinned_series import Trail
+    from sandbox.app.observing.thinned_series import ThinnedSeries
     from sandbox.model.expressions import Array
 
 NAMED = 12
@@ -60,9 +60,9 @@ class View:
         """The duration of the run [s]."""
         self.forces = Forces(world.level)
         """The level's given forces as arrows."""
-        self.trail: Trail | None = None
+        self.trail: ThinnedSeries | None = None
         """The paths of the bodies, or None."""
-        self.looking: Looking | None = None
+        self.looking: SelectedBody | None = None
         """The selected body, or None."""
         self.flashes: Sequence[Flash] = ()
         """The flashes of recent impacts."""

@@ -7,7 +7,7 @@ MOST = 16_000_000
 """The largest total size of the pictures [bytes]."""
 
 
-class Looks(SurfaceCache):
+class AppearanceCache(SurfaceCache):
     """The pictures that were used last.
 
     pygame_gui packs them as rectangles into a few large pictures. Releasing them fragments the free

@@ -10,7 +10,7 @@ from pygame_gui import PackageResource, UIManager
 from pygame_gui.core import UIAppearanceTheme, UIElement
 from pygame_gui.elements import UIButton, UIImage
 
-from sandbox.app.widgets.appearance_cache import Looks
+from sandbox.app.widgets.appearance_cache import AppearanceCache
 from sandbox.app.widgets.widget_helpers import Row
 
 Ids = list[str | None] | None
@@ -57,7 +57,7 @@ class Manager(UIManager):
     ) -> UIAppearanceTheme:  # fmt: skip
         """Return the theme of the widgets."""
         theme = _Theme(self.resource_loader, self._locale)
-        theme.shape_cache = Looks()
+        theme.shape_cache = AppearanceCache()
         if theme_path is not None:
             theme.load_theme(theme_path)
         return theme

@@ -17,7 +17,7 @@ from sandbox.app.words.typed_numbers import read
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 
 ROW = 46  # px
 FIELD = 68  # px

@@ -19,8 +19,8 @@ from sandbox.model.level import (
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
 from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS, Trust, surviving
-from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
+from sandbox.physics.measuring.run_comparison import Difference
 
 MINUS = "−"
 RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")

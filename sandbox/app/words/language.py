@@ -15,7 +15,7 @@ from string import Formatter
 from typing import Literal, get_args
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 Name = Literal["en", "de"]
 """The code of a language, and the name of its catalogue."""

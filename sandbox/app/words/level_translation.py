@@ -10,7 +10,7 @@ from pathlib import Path
 
 from sandbox.app.words import language
 from sandbox.model import level_catalog
-from sandbox.model.field_marks import prose
+from sandbox.model.annotated_fields import prose
 from sandbox.model.level import Check, Level
 
 Say = Callable[[str], str]

@@ -6,7 +6,7 @@ from math import pi
 
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.message import Message, either
+from sandbox.model.translatable_message import Message, either
 
 FACTORS: Mapping[str, Mapping[str, float]] = {
     "rad": {"deg": pi / 180, "°": pi / 180},

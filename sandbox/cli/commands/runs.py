@@ -158,14 +158,14 @@ def experiment(
     experiment.json, from which the experiment can be repeated. Give the same command again to
     resume an experiment that was interrupted.
     """
-    from sandbox.cli.experiment import Asked, experiment, fit
+    from sandbox.cli.experiment import ExperimentRequest, experiment, fit
 
     others = {
         "until": until, "draws": draws, "method": method, "seed": seed,
         "duration": duration, "rate": rate, "scheme": scheme,
     }  # fmt: skip
     given = {name: value for name, value in others.items() if value is not None}
-    asked = Asked(subject, vary or [], measure or [], set_ or [], given)
+    asked = ExperimentRequest(subject, vary or [], measure or [], set_ or [], given)
     if fit_ or data:
         fit(asked, fit_ or [], data, output)
     else:

@@ -12,7 +12,7 @@ import numpy as np
 
 from sandbox.editing.cleanup import COEFFICIENTS, first_that_loads, without_meaning
 from sandbox.editing.drawn_outlines import centroid, simplified
-from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.edits.titling import without_empty_summary
 from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.text_patches import put, put_all, remove
@@ -35,14 +35,14 @@ CLOSES = 0.1
 GRAVITY: Json = {"acceleration": [0, -9.81]}
 
 
-def add_disc(text: str, level: Level, center: XY, rim: XY) -> Made:
+def add_disc(text: str, level: Level, center: XY, rim: XY) -> EditResult:
     """Return a level with a new disc, given its centre and a point of its rim."""
     radius = _size(abs(complex(*rim) - complex(*center)))
     shape: Json = {"type": "disc", "radius": radius}
     return _add_dynamic(text, level, "disc", shape, center, pi * radius**2)
 
 
-def add_box(text: str, level: Level, corner: XY, opposite: XY) -> Made:
+def add_box(text: str, level: Level, corner: XY, opposite: XY) -> EditResult:
     """Return a level with a new box, given two opposite corners."""
     (x, y), (u, v) = corner, opposite
     width, height = _size(abs(u - x)), _size(abs(v - y))
@@ -50,7 +50,7 @@ def add_box(text: str, level: Level, corner: XY, opposite: XY) -> Made:
     return _add_dynamic(text, level, "box", shape, ((x + u) / 2, (y + v) / 2), width * height)
 
 
-def add_polygon(text: str, level: Level, points: Sequence[XY]) -> Made:
+def add_polygon(text: str, level: Level, points: Sequence[XY]) -> EditResult:
     """Return a level with a new polygon, through at least three points in order.
 
     Raises `SandboxError` if it has no area.
@@ -63,7 +63,7 @@ def add_polygon(text: str, level: Level, points: Sequence[XY]) -> Made:
     return _add_dynamic(text, level, "polygon", shape, center, area)
 
 
-def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
+def add_surface(text: str, level: Level, points: Sequence[XY]) -> EditResult:
     """Return a level with a new static line: a floor, a slope or a wall.
 
     Raises `SandboxError` if it has no length.
@@ -79,7 +79,7 @@ def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
     return _add(text, level, "surface", body)
 
 
-def add_curve(text: str, level: Level, points: Sequence[XY], tolerance: float) -> Made:
+def add_curve(text: str, level: Level, points: Sequence[XY], tolerance: float) -> EditResult:
     """Return a level with the shape of a stroke: a polygon if it is closed, else a static line.
 
     The simplified line keeps within the tolerance of the points [m], a pixel or two.
@@ -104,7 +104,9 @@ def take_out(text: str, level: Level, names: Sequence[str]) -> str:
     return without_meaning(text)
 
 
-def _add_dynamic(text: str, level: Level, kind: str, shape: Json, center: XY, area: float) -> Made:
+def _add_dynamic(
+    text: str, level: Level, kind: str, shape: Json, center: XY, area: float
+) -> EditResult:
     body = {"shape": shape, "mass": drawn_mass(area), "position": list(center)}
     return _add(text, level, kind, body)
 
@@ -114,11 +116,11 @@ def drawn_mass(area: float) -> float:
     return plain(float(f"{DENSITY * area:.3g}"))
 
 
-def _add(text: str, level: Level, kind: str, body: Mapping[str, Json]) -> Made:
+def _add(text: str, level: Level, kind: str, body: Mapping[str, Json]) -> EditResult:
     name = new_name(kind, level)
     text = without_empty_summary(text)
     text = put(text, ("bodies", name), {**body, **_coefficients(level)})
-    return Made(first_that_loads(_declaring(text, level), text), (name,))
+    return EditResult(first_that_loads(_declaring(text, level), text), (name,))
 
 
 def _coefficients(level: Level) -> dict[str, Json]:

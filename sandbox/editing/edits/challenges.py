@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sandbox.editing.cleanup import accepted, without_meaning
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placement import Placed, around, placed
+from sandbox.editing.placement import PlacedBody, around, placed
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -61,7 +61,7 @@ def _bounds(level: Level, body: str) -> tuple[dict[str, Json], dict[str, Json]]:
     return {"above": _number(low.real), "below": _number(high.real)}, {"below": _number(high.imag)}
 
 
-def _target(bodies: Sequence[Placed]) -> list[Placed]:
+def _target(bodies: Sequence[PlacedBody]) -> list[PlacedBody]:
     """Return the static bodies without the ground."""
     still = [one for one in bodies if one.body.type == "static"]
     ground = max(still, key=lambda one: (one.bounds[1] - one.bounds[0]).real, default=None)

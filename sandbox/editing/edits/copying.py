@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from sandbox.editing.attached_bodies import shifted_point
 from sandbox.editing.cleanup import without_meaning
-from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.renaming import rename_numbers
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.arithmetic import RESERVED
@@ -57,7 +57,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
     )
 
 
-def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
+def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> EditResult:
     """Return a level with displaced copies of bodies, under new names.
 
     Fields without a meaning in the level, such as friction if it is not declared, are left out.
@@ -86,10 +86,10 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
         for name in getattr(source, kind).keys() - getattr(level, kind).keys():
             changes[kind, name] = data[kind][name]
     pasted = without_meaning(put_all(text, changes))
-    return Made(pasted, tuple(names[name] for name in source.bodies))
+    return EditResult(pasted, tuple(names[name] for name in source.bodies))
 
 
-def duplicate(text: str, level: Level, names: Collection[str], by: XY) -> Made:
+def duplicate(text: str, level: Level, names: Collection[str], by: XY) -> EditResult:
     """Return a level with displaced duplicates of bodies."""
     return paste(text, level, copy(text, level, names), by)
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sandbox.model.level import Level
 
 
-class Made(NamedTuple):
+class EditResult(NamedTuple):
     """A text with new parts."""
 
     text: str

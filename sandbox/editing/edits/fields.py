@@ -18,7 +18,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 _NUMBER = re.compile(r"-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?")
 """A number as JSON writes it."""

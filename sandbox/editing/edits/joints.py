@@ -9,17 +9,17 @@ from math import pi
 from typing import NamedTuple
 
 from sandbox.editing.cleanup import accepted
-from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placement import Placed, distance, placed, xy
+from sandbox.editing.placement import PlacedBody, distance, placed, xy
 from sandbox.editing.text_patches import put
-from sandbox.model.collision_filter import apart
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError
+from sandbox.model.excluded_pairs import apart
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
-from sandbox.model.message import word
 from sandbox.model.shapes import XY
+from sandbox.model.translatable_message import word
 
 CENTRAL = 1e-9
 """m, the distance from the centre within which a picked point counts as the centre."""
@@ -43,7 +43,7 @@ class Pick(NamedTuple):
     """The body that it belongs to; None for the plane."""
 
 
-Bodies = Mapping[str, Placed]
+Bodies = Mapping[str, PlacedBody]
 
 
 def picks(kind: str) -> int:
@@ -51,7 +51,7 @@ def picks(kind: str) -> int:
     return 3 if kind == "pulley" else 2
 
 
-def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Made:
+def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> EditResult:
     """Return a level with a new joint; if its bodies overlap, they no longer collide.
 
     `kind` is as in a level's file, and `chosen` has the two ends, in order. For a pulley, it also
@@ -78,7 +78,7 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Mad
     said = _MADE.get(kind, _line)(list(chosen), where)
     name = new_name(kind, level)
     added = put(_apart(text, level, chosen, where), ("joints", name), {"type": kind, **said})
-    return Made(accepted(*_turning(added, level, kind)), (name,))
+    return EditResult(accepted(*_turning(added, level, kind)), (name,))
 
 
 def _turning(added: str, level: Level, kind: str) -> tuple[str, ...]:
@@ -149,7 +149,7 @@ def _angle_stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     return {**_pin(chosen, where), "range": [plain(start - pi / 2), plain(start + pi / 2)]}
 
 
-def _angle(one: Placed) -> float:
+def _angle(one: PlacedBody) -> float:
     return one.body.angle(one.values)
 
 

@@ -11,7 +11,7 @@ from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.fields import parameter_name
 from sandbox.editing.formulas import rounded, sum_of
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placement import Placed, distance, placed
+from sandbox.editing.placement import PlacedBody, distance, placed
 from sandbox.editing.text_patches import put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.joint_ends_at_start import place
@@ -71,7 +71,7 @@ def swing(text: str, level: Level, name: str) -> str:
     return accepted(*(put_all(text, {**moved, path: one}) for one in parameters))
 
 
-def _free_side(where: Mapping[str, Placed], name: str, peg: complex, length: float) -> float:
+def _free_side(where: Mapping[str, PlacedBody], name: str, peg: complex, length: float) -> float:
     """Return the angle of a side without obstacles, preferably the left [deg]."""
     for turned in (-ASIDE, ASIDE):
         way = peg + rect(length, turned * pi / 180 - pi / 2) - where[name].center

@@ -11,11 +11,11 @@ from collections.abc import Mapping, Sequence
 from sandbox.editing.attached_bodies import attached, shifted_point
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
-from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.edits.fields import set_field
 from sandbox.editing.formulas import scaled, towards
 from sandbox.editing.json_layout import Json
-from sandbox.editing.placement import Placed, placed, xy
+from sandbox.editing.placement import PlacedBody, placed, xy
 from sandbox.editing.renaming import rename
 from sandbox.editing.text_patches import Changes, put, put_all, value_at
 from sandbox.model.comments import read_level
@@ -74,7 +74,7 @@ def scale(text: str, level: Level, name: str, factor: float) -> str:
     return _settled(put_all(text, _scaled(body, factor)), level, body, None)
 
 
-def _handles(body: Placed) -> Sequence[complex]:
+def _handles(body: PlacedBody) -> Sequence[complex]:
     match body.body.shape:
         case Disc() | Hoop():
             return [body.outside(complex(body.radius))]
@@ -93,7 +93,7 @@ def _of(side: complex, half: complex) -> complex:
     return complex(side.real * half.real, side.imag * half.imag)
 
 
-def _dragged(body: Placed, index: int, to: complex) -> Changes:
+def _dragged(body: PlacedBody, index: int, to: complex) -> Changes:
     """Return the changes when a handle is dragged."""
     match body.body.shape:
         case Disc(radius=radius) | Hoop(radius=radius):
@@ -110,7 +110,7 @@ def _dragged(body: Placed, index: int, to: complex) -> Changes:
             raise SandboxError("the shape of a curve is given by its formulas")
 
 
-def _box(body: Placed, box: Box, side: complex, to: complex) -> Changes:
+def _box(body: PlacedBody, box: Box, side: complex, to: complex) -> Changes:
     """Return the changes that move one corner or side of a box; the opposite one stays."""
     half = body.local[2]
     away = to + _of(side, half)  # from the opposite side
@@ -129,7 +129,7 @@ def _box(body: Placed, box: Box, side: complex, to: complex) -> Changes:
     return changes
 
 
-def _corner(body: Placed, index: int, to: complex) -> Changes:
+def _corner(body: PlacedBody, index: int, to: complex) -> Changes:
     """Return the changes that move one corner of a shape."""
     shape = body.body.shape
     assert isinstance(shape, Polygon | Segment | Polyline)
@@ -137,7 +137,7 @@ def _corner(body: Placed, index: int, to: complex) -> Changes:
     return {_paths(body)[index]: shifted_point(points_of(shape)[index], by)}
 
 
-def _paths(body: Placed) -> list[Path]:
+def _paths(body: PlacedBody) -> list[Path]:
     """Return the paths of the corners of a body in its level."""
     path = ("bodies", body.name, "shape")
     match body.body.shape:
@@ -148,7 +148,7 @@ def _paths(body: Placed) -> list[Path]:
     return [(*path, "start"), (*path, "end")]
 
 
-def _radius(body: Placed) -> Path:
+def _radius(body: PlacedBody) -> Path:
     return ("bodies", body.name, "shape", "radius")
 
 
@@ -158,7 +158,7 @@ def _size(value: float) -> float:
     return value
 
 
-def _scaled(body: Placed, factor: float) -> Changes:
+def _scaled(body: PlacedBody, factor: float) -> Changes:
     """Return the changes that scale a body."""
     path = ("bodies", body.name, "shape")
     match body.body.shape:
@@ -176,14 +176,14 @@ def _scaled(body: Placed, factor: float) -> Changes:
             raise SandboxError("the shape of a curve is given by its formulas")
 
 
-def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:
+def _settled(text: str, before: Level, body: PlacedBody, fixed: int | None) -> str:
     """Return a level in which a body with a new shape has the right position and mass.
 
     A fixed corner stays where it is in the plane, although the centre of mass moves within the
     shape.
     """
     level = read_level(text)
-    other = Placed(body.name, level.bodies[body.name], body.values)
+    other = PlacedBody(body.name, level.bodies[body.name], body.values)
     changes = Changes()
     if fixed is not None and (drift := body.local[fixed] - other.local[fixed]):
         position = shifted_point(other.body.position, body.turn * drift)
@@ -194,7 +194,7 @@ def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:
     return attached(put_all(text, changes), before, [body.name])
 
 
-def rounded(text: str, level: Level, name: str, kind: str) -> Made:
+def rounded(text: str, level: Level, name: str, kind: str) -> EditResult:
     """Return a level in which a round body is a disc, a hoop or an arc, of the same radius.
 
     A new arc is the lower half of the circle, and static. An arc that becomes a disc or hoop is
@@ -203,7 +203,7 @@ def rounded(text: str, level: Level, name: str, kind: str) -> Made:
     """
     path, before = ("bodies", name), level.bodies[name]
     if before.shape.type == kind:
-        return Made(text, (name,))
+        return EditResult(text, (name,))
     radius = value_at(text, (*path, "shape", "radius"))
     shape = {"type": kind, "radius": radius, **(HALF_PIPE if kind == "arc" else {})}
     changed = without_meaning(put(text, (*path, "shape"), shape))
@@ -213,5 +213,5 @@ def rounded(text: str, level: Level, name: str, kind: str) -> Made:
         changed = set_field(changed, (*path, "type"), "dynamic")
     if re.fullmatch(rf"{before.shape.type}\d+", name):
         called = new_name(kind, level)
-        return Made(rename(changed, path, called), (called,))
-    return Made(changed, (name,))
+        return EditResult(rename(changed, path, called), (called,))
+    return EditResult(changed, (name,))

@@ -6,11 +6,11 @@ from itertools import pairwise
 from math import acos, ceil, pi
 
 from sandbox.editing.cleanup import COEFFICIENTS, accepted
-from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.edits.effects import declare
 from sandbox.editing.edits.fields import set_field
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placement import Placed, placed, xy
+from sandbox.editing.placement import PlacedBody, placed, xy
 from sandbox.editing.text_patches import put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of
@@ -56,7 +56,7 @@ def _ends(level: Level, names: Sequence[str]) -> list[str]:
     return sorted((n for n in names if n != drum), key=lambda name: where[name].center.real)
 
 
-def wrap(text: str, level: Level, names: Sequence[str]) -> Made:
+def wrap(text: str, level: Level, names: Sequence[str]) -> EditResult:
     """Return a level with a new rope over a drum: knots joined by rods, and a rod to each end.
 
     A drum that no joint holds is made static. The names are those of the drum, a disc, and of the
@@ -86,10 +86,10 @@ def wrap(text: str, level: Level, names: Sequence[str]) -> Made:
     for ends in pairwise(held):
         rods.append(new_name("rod", level, rods))
         values["joints", rods[-1]] = {"type": "rod", "ends": list(ends)}
-    return Made(accepted(_standing(put_all(text, values), drum)), tuple(knots))
+    return EditResult(accepted(_standing(put_all(text, values), drum)), tuple(knots))
 
 
-def _knot(level: Level, drum: Placed, ends: Sequence[Placed]) -> dict[str, Json]:
+def _knot(level: Level, drum: PlacedBody, ends: Sequence[PlacedBody]) -> dict[str, Json]:
     """Return the fields that all knots share."""
     masses = [end.body.mass(end.values) for end in ends if end.body.mass]
     return {
@@ -109,7 +109,7 @@ def _standing(text: str, drum: str) -> str:
     return text if held else set_field(text, ("bodies", drum, "type"), "static")
 
 
-def _knots(drum: Placed, left: Placed, right: Placed) -> list[complex]:
+def _knots(drum: PlacedBody, left: PlacedBody, right: PlacedBody) -> list[complex]:
     """Return the positions of the knots, between the two points of tangency on the drum [m]."""
     radius = (1 + THICK) * drum.radius
     ways = [end.center - drum.center for end in (left, right)]

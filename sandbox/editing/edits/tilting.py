@@ -12,7 +12,7 @@ from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.fields import parameter_name
 from sandbox.editing.formulas import rounded, sum_of
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placement import Placed, distance, placed, xy
+from sandbox.editing.placement import PlacedBody, distance, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of, body_of, ends_of
@@ -104,16 +104,16 @@ def tilt(text: str, level: Level, name: str) -> str:
     return accepted(*(put_all(text, {**changes, path: one}) for one in parameters))
 
 
-def _is_straight(one: Placed) -> bool:
+def _is_straight(one: PlacedBody) -> bool:
     return isinstance(one.body.shape, Segment) and one.body.type == "static"
 
 
-def _rises(one: Placed) -> bool:
+def _rises(one: PlacedBody) -> bool:
     start, end = one.corners
     return LEVEL < abs(phase(end - start)) < pi - LEVEL
 
 
-def _lying_on(where: Mapping[str, Placed], slope: str) -> list[str]:
+def _lying_on(where: Mapping[str, PlacedBody], slope: str) -> list[str]:
     """Return the dynamic bodies that touch a slope, directly or through others."""
     found, pending = list[str](), [slope]
     while pending:
@@ -133,7 +133,7 @@ def _refuse_formulas(level: Level, name: str) -> None:
         raise SandboxError("the position of '{name}' is already a formula", name=name)
 
 
-def _tilt(slope: Placed, name: str) -> _Tilt:
+def _tilt(slope: PlacedBody, name: str) -> _Tilt:
     foot, top = sorted(slope.corners, key=lambda corner: (corner.imag, corner.real))
     way = top - foot
     if way.real < 0:
@@ -141,7 +141,7 @@ def _tilt(slope: Placed, name: str) -> _Tilt:
     return _Tilt(foot, phase(way), f"{name}*deg", name)
 
 
-def _line(slope: Placed, tilted: _Tilt) -> Changes:
+def _line(slope: PlacedBody, tilted: _Tilt) -> Changes:
     """Return the changes that make a slope a segment of its own x axis, from its lower end."""
     path = ("bodies", slope.name)
     along = (rounded(tilted.inside(corner).real) for corner in slope.corners)
@@ -154,7 +154,7 @@ def _line(slope: Placed, tilted: _Tilt) -> Changes:
     }
 
 
-def _turned(one: Placed, tilted: _Tilt) -> Changes:
+def _turned(one: PlacedBody, tilted: _Tilt) -> Changes:
     """Return the changes that let a body turn with its slope."""
     path, body = ("bodies", one.name), one.body
     changes: Changes = {
@@ -167,7 +167,7 @@ def _turned(one: Placed, tilted: _Tilt) -> Changes:
 
 
 def _tied(
-    level: Level, where: Mapping[str, Placed], moved: Collection[str], tilted: _Tilt
+    level: Level, where: Mapping[str, PlacedBody], moved: Collection[str], tilted: _Tilt
 ) -> Changes:
     """Return the changes of the points of the plane to which only moved bodies are tied."""
     values, changes = next(iter(where.values())).values, Changes()

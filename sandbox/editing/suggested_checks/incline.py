@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.editing.formulas import negative
 from sandbox.editing.json_layout import plain
-from sandbox.editing.placement import Core, Placed
+from sandbox.editing.placement import Core, PlacedBody
 from sandbox.editing.suggested_checks.recognised_setup import (
     SAFE,
     SAMPLES,
@@ -57,7 +57,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
             yield from _of(scene, name, *found[0])
 
 
-def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
+def _lies_on(scene: Scene, block: PlacedBody, slope: str) -> Iterator[complex]:
     """Yield the normal of a static slope on which a block lies flat."""
     under = scene.where[slope]
     if under.name == block.name or under.body.type != "static" or under.body.sensor:

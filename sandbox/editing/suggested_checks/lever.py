@@ -9,7 +9,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from sandbox.editing.json_layout import plain
-from sandbox.editing.placement import Placed
+from sandbox.editing.placement import PlacedBody
 from sandbox.editing.suggested_checks.incline import friction, side
 from sandbox.editing.suggested_checks.recognised_setup import (
     TOUCHING,
@@ -140,13 +140,13 @@ def _touch(scene: Scene, one: str, other: str) -> bool:
     return not scene.where[other].body.sensor and scene.distance(one, 0j, other) < TOUCHING
 
 
-def _lies(weight: Placed, board: Placed) -> bool:
+def _lies(weight: PlacedBody, board: PlacedBody) -> bool:
     """Return whether a disc, or a body with a whole side, lies on top of a plank."""
     under, enough = _under(weight, board), 1 if isinstance(weight.body.shape, Disc) else 2
     return abs(under.normal + 1j) < FLAT and len(under.points) == enough
 
 
-def _under(weight: Placed, board: Placed) -> Gap:
+def _under(weight: PlacedBody, board: PlacedBody) -> Gap:
     """Return the gap between a weight and a plank."""
     found = [side(own, board.cores[0], weight.radius) for own in weight.cores]
     return min(found, key=lambda one: one.distance)

@@ -18,7 +18,7 @@ from sandbox.editing.suggested_checks.recognised_setup import (
     said,
 )
 from sandbox.model.expressions import Expression
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import End, Spring, body_of
 from sandbox.physics.geometry.outline_distance import dot

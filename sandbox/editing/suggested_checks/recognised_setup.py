@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from sandbox.editing.json_layout import plain
-from sandbox.editing.placement import Core, Placed, distance
+from sandbox.editing.placement import Core, PlacedBody, distance
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Rod, Rope, Spring, bodies_of, body_of
 from sandbox.model.level import Level
@@ -80,10 +80,10 @@ class Scene:
         return {**self.values, **{name: c(self.values) for name, c in self.level.constants.items()}}
 
     @cached_property
-    def where(self) -> Mapping[str, Placed]:
+    def where(self) -> Mapping[str, PlacedBody]:
         """All bodies at the start."""
         bodies = self.level.bodies.items()
-        return {name: Placed(name, body, self.values) for name, body in bodies}
+        return {name: PlacedBody(name, body, self.values) for name, body in bodies}
 
     @cached_property
     def joints(self) -> Mapping[str, list[str]]:

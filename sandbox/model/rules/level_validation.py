@@ -14,14 +14,14 @@ import numpy as np
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, Values
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions, instants
-from sandbox.model.message import Message
 from sandbox.model.rules.conditions import conditions
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.rules.consistency import contradictions, dangling, inconsistencies, too_much
+from sandbox.model.translatable_message import Message
 
 MAX_CORNERS = 256
 """The most corners of the parameters' ranges that are tried."""

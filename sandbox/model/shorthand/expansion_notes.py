@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from sandbox.model.json_positions import Path
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 MOST = 5_000_000
 """The most characters in an expanded level, about: as many as in the largest file."""

@@ -20,11 +20,11 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
-from sandbox.model.message import Message
 from sandbox.model.number_bounds import Angle, Coordinate
 from sandbox.model.shapes import Point
 from sandbox.model.shorthand.expansion_notes import Notes, followed
 from sandbox.model.shorthand.repeating import GROUPS
+from sandbox.model.translatable_message import Message
 
 INTO_EACH = 10
 """The most numbers of a body in which the position and angle of a copy appear."""

@@ -9,8 +9,8 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Expression
 from sandbox.model.json_positions import Path
-from sandbox.model.message import NOTHING, Message
 from sandbox.model.shorthand.expansion_notes import Notes
+from sandbox.model.translatable_message import NOTHING, Message
 
 Indices = Mapping[str, float]
 

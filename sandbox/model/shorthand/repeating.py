@@ -12,9 +12,9 @@ from typing import Any, get_origin
 from sandbox.model.errors import brief
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.shorthand.expansion_notes import Notes
 from sandbox.model.shorthand.indices import IndexFault, Indices, filled, runs
+from sandbox.model.translatable_message import Message
 
 REPEAT = "repeat"
 EACH = "each"

@@ -16,10 +16,9 @@ from typing import Literal
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
-from sandbox.model.message import NOTHING, Message
 from sandbox.model.quantities import momentary
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.cheapest_setting import own_run
 from sandbox.physics.accuracy.compared_runs import Watched, by_check, never, record, scaled, watched
 from sandbox.physics.accuracy.refinement import (
     Refinement,
@@ -30,6 +29,7 @@ from sandbox.physics.accuracy.refinement import (
 )
 from sandbox.physics.accuracy.refinement_search import Refiner, refine
 from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.setting_search import own_run
 from sandbox.physics.accuracy.trusted_digits import Trust, trusts
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
@@ -71,7 +71,7 @@ class Progress:
 
 
 @dataclass(frozen=True, slots=True)
-class Point:
+class WorkPrecisionPoint:
     """A setting, its largest numerical error, and its cost per second of the scene [s]."""
 
     scheme: Scheme
@@ -81,12 +81,12 @@ class Point:
 
 
 @dataclass(frozen=True, slots=True)
-class Here(Point):
+class CurrentSetting(WorkPrecisionPoint):
     """The setting of the present run."""
 
 
 @dataclass(frozen=True, slots=True)
-class Split:
+class ErrorBudget:
     """The parts of a check's error, relative as a check's error is."""
 
     check: int
@@ -111,7 +111,7 @@ class Failed:
     reason: Message
 
 
-Finding = Progress | Point | Here | Split | Trust | Setting | Failed
+Finding = Progress | WorkPrecisionPoint | CurrentSetting | ErrorBudget | Trust | Setting | Failed
 
 
 def study(level: Level, values: Values) -> Iterator[Finding]:
@@ -178,7 +178,7 @@ def _own(level: Level, values: Values) -> Iterator[Finding]:
             *_, numerical, rest = found.relative
             yield _split(index, result, found.of[-2], numerical, rest)
     [step] = brief_costs(partial(make_world, level, values, own))
-    yield Here(own.scheme, own.rate, _error(traces, judging), step * own.rate)
+    yield CurrentSetting(own.scheme, own.rate, _error(traces, judging), step * own.rate)
 
 
 def _error(traces: Sequence[Trace], wanted: Sequence[Watched]) -> float:
@@ -202,14 +202,14 @@ def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[
 
 def _split(
     index: int, results: tuple[Result, Result], off: float, numerical: float, rest: float
-) -> Split:
+) -> ErrorBudget:
     """Split a check's error, given its results at the step and at half of it."""
     coarse, fine = results
     if coarse.error is None or fine.error is None:
-        return Split(index, off, None, None, numerical, None)
+        return ErrorBudget(index, off, None, None, numerical, None)
     model = fine.error if fine.error > 2 * rest + EXACT else 0.0
     remaining = max(coarse.error - numerical - model, 0.0)
-    return Split(index, off, coarse.error, model, numerical, remaining)
+    return ErrorBudget(index, off, coarse.error, model, numerical, remaining)
 
 
 def _others(level: Level, values: Values) -> Iterator[Finding]:
@@ -242,12 +242,12 @@ def _doubt(refinement: Refinement) -> tuple[bool, float]:
     return naive, refinement.errors[-1]
 
 
-def _points(refinement: Refinement, step: float) -> Iterator[Point]:
+def _points(refinement: Refinement, step: float) -> Iterator[WorkPrecisionPoint]:
     trace: Trace
     for trace, error in zip(refinement.traces, refinement.errors, strict=True):
         rate = trace.stepping.rate
         if isfinite(error):
-            yield Point(trace.stepping.scheme, rate, error, step * rate)
+            yield WorkPrecisionPoint(trace.stepping.scheme, rate, error, step * rate)
 
 
 def _starts(level: Level) -> Iterator[Stepping]:

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import FINEST, Level
-from sandbox.model.message import Message, both
+from sandbox.model.translatable_message import Message, both
 from sandbox.physics.accuracy.candidates import REAL_TIME, Offer
 from sandbox.physics.accuracy.chaos import chaotic, foretold
-from sandbox.physics.accuracy.cheapest_setting import Found, Seeker
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, watched
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.refinement_search import Progress
+from sandbox.physics.accuracy.setting_search import SearchResult, Seeker
 from sandbox.physics.measuring.grading import applies
 
 BUDGET = 1.0
@@ -103,14 +103,14 @@ def _judged_by_energy(chaos: Message, until: Message) -> Message:
     )
 
 
-def _predictable(found: Found, target: float) -> Message:
+def _predictable(found: SearchResult, target: float) -> Message:
     """Say up to what time a run can be predicted to an accuracy."""
     if known := foretold(found.offers.refinements, found.wanted, target):
         return Message("predictable until t = {t:.3g} s", t=known)
     return Message("not predictable at all")
 
 
-def _setting(found: Found, judged_by: str) -> Setting:
+def _setting(found: SearchResult, judged_by: str) -> Setting:
     """Return the result of a search as a setting."""
     offer = found.timed()
     affordable = None if offer.cost <= REAL_TIME else found.in_real_time()
@@ -118,7 +118,9 @@ def _setting(found: Found, judged_by: str) -> Setting:
     return Setting(found.target, offer, judged_by, verified, affordable, found.decided_by)
 
 
-def _refused(found: Found, target: float, judged_by: Message, until: Message) -> AccuracyError:
+def _refused(
+    found: SearchResult, target: float, judged_by: Message, until: Message
+) -> AccuracyError:
     """Return the error for an accuracy that cannot be reached; it names the best setting."""
     if found.decided_by:
         judged_by = Message(

@@ -6,7 +6,7 @@ from math import floor
 from typing import NamedTuple
 
 from sandbox.model.level import HIGHEST_RATE, Stepping
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.compared_runs import Watched
 from sandbox.physics.accuracy.event_timing_errors import hidden
 from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furthest, in_step

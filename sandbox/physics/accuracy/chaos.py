@@ -8,7 +8,7 @@ from math import log
 
 import numpy as np
 
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.accuracy.compared_runs import BLOCK, Stop, Watched, departure
 from sandbox.physics.accuracy.event_timing_errors import timely
 from sandbox.physics.accuracy.exceptions import Cancelled

@@ -11,7 +11,7 @@ from sandbox.model.level import Check, ContactEvent, Instant, Level, SeparationE
 from sandbox.model.number_bounds import Duration
 from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.exceptions import Cancelled
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.measuring.grading import ZERO, applies, least_scale, samples
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed_at
 from sandbox.physics.stepping.make_world import make_world

@@ -33,14 +33,14 @@ EXTREMES = ("min", "max", "largest", "amplitude")
 """The aggregates that are extremes."""
 
 
-class Off(NamedTuple):
+class RelativeError(NamedTuple):
     """A relative error and its quantity; None if there is no error."""
 
     error: float = 0.0
     item: Watched | None = None
 
 
-def hidden(trace: Trace, wanted: Sequence[Watched]) -> Off:
+def hidden(trace: Trace, wanted: Sequence[Watched]) -> RelativeError:
     """Return the largest error of a run that its difference from a finer run may not show.
 
     A body whose impact is found one step late is displaced by the change of its velocity times the
@@ -54,8 +54,10 @@ def hidden(trace: Trace, wanted: Sequence[Watched]) -> Off:
     )
     extremes = (item for item in wanted if item.quantity.rpartition(".")[2] in EXTREMES)
     missed = ((item, _missed(trace.columns[item.quantity])) for item in extremes)
-    errors = (Off(off / scale(size(trace, item), off), item) for item, off in (*late, *missed))
-    return max(errors, key=lambda found: found.error, default=Off())
+    errors = (
+        RelativeError(off / scale(size(trace, item), off), item) for item, off in (*late, *missed)
+    )
+    return max(errors, key=lambda found: found.error, default=RelativeError())
 
 
 def _missed(extreme: Array) -> float:

@@ -1,7 +1,7 @@
 """Errors: why an accuracy cannot be reached."""
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 
 class AccuracyError(SandboxError):

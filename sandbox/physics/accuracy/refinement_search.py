@@ -14,7 +14,7 @@ import numpy as np
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.chaos import foretold
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
 from sandbox.physics.accuracy.refinement import (

@@ -4,11 +4,11 @@ from math import inf
 
 import numpy as np
 
+from sandbox.model.contained_expressions import expressions
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.rules.level_validation import FEWEST, MAX_CORNERS, corners
 from sandbox.model.schemes import bounds_the_rate
-from sandbox.model.traversal import expressions
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.errors import BreakdownError, JointFailure, SimulationError
 

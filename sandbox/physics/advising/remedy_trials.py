@@ -16,7 +16,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
-from sandbox.model.message import NOTHING, Message, both, joined
+from sandbox.model.translatable_message import NOTHING, Message, both, joined
 from sandbox.physics.guarding.rate_limits import needed
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build

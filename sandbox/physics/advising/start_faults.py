@@ -1,4 +1,4 @@
-"""All faults of a level at its start, where building it would name only the first."""
+"""All faults of a level at its start; building its world would report only the first."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.level import HIGHEST_RATE, Level
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.detection.overlaps import overlaps, tolerated
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.errors import JointFailure, SimulationError

@@ -8,16 +8,22 @@ import numpy as np
 from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array
 from sandbox.model.joints import bodies_of, is_exact
-from sandbox.physics.contacts.impacts.contact_work import Kick, completed, couples, pressed, rubbing
+from sandbox.physics.contacts.impacts.contact_work import (
+    KickRecord,
+    completed,
+    couples,
+    pressed,
+    rubbing,
+)
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.energy.taut_ropes import reached
-from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.forces.law import Law, Turn
+from sandbox.physics.engine.space_arrays import Booleans, Contacts
+from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.velocity_rotation import given
 from sandbox.physics.geometry.outline_distance import surfaces
-from sandbox.physics.joints.joint_forces import Pulls
+from sandbox.physics.joints.joint_forces import JointForces
 from sandbox.physics.state.motion import Instant
 
 if TYPE_CHECKING:
@@ -48,9 +54,9 @@ class Attribution:
     def book(
         self,
         step: StepRecord,
-        kick: Kick,
+        kick: KickRecord,
         change: Array,
-        pulls: Pulls,
+        pulls: JointForces,
         contacts: Contacts,
         slack: Booleans | None,
     ) -> None:
@@ -84,7 +90,7 @@ class Attribution:
     def jolt(self, jolt: "Jolt") -> None:
         """Book an impact of joints at one instant: the energy that they take is lost."""
         self.begin()
-        kick = Kick(
+        kick = KickRecord(
             jolt.t,
             0.0,
             Instant.at(jolt.t, jolt.place, jolt.begun),
@@ -98,7 +104,7 @@ class Attribution:
         if not jolt.elastic:
             self._entries.lose("impacts", lost)
 
-    def force(self, law: Law, kick: Kick) -> Array:
+    def force(self, law: Law, kick: KickRecord) -> Array:
         """Book the impulse of a law, and return it: (n, 3).
 
         A kinematic body resists the force, and thereby does work.
@@ -115,7 +121,7 @@ class Attribution:
             self._entries.losses["damping"] += kick.work(every - elastic)
         return impulse
 
-    def _turn(self, turn: Turn, kick: Kick) -> Array:
+    def _turn(self, turn: VelocityRotation, kick: KickRecord) -> Array:
         """Book the impulse of forces that turn velocities, which do no work; return it: (n, 3)."""
         impulse = np.zeros_like(self._mass)
         change = given(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
@@ -123,12 +129,12 @@ class Attribution:
         self._entries.give(turn.effect.name, impulse, kick.place)
         return impulse
 
-    def _impulse(self, law: Law, kick: Kick) -> Array:
+    def _impulse(self, law: Law, kick: KickRecord) -> Array:
         wrench = np.zeros_like(self._mass)
         law.add(kick.seen, wrench)
         return wrench * kick.length
 
-    def _joints(self, kick: Kick, pulls: Pulls) -> tuple[Array, Array]:
+    def _joints(self, kick: KickRecord, pulls: JointForces) -> tuple[Array, Array]:
         """Book the impulses of the exact joints; return them, (n, 3), and their works, (m,).
 
         The works of driven joints are booked here, and returned as 0.
@@ -144,7 +150,7 @@ class Attribution:
         self._entries.give("supports", together, kick.place)
         return together, np.where(drives, 0.0, works)
 
-    def _own(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
+    def _own(self, kick: KickRecord, rest: Array, contacts: Contacts) -> Array:
         """Book pymunk's own joints: the rest of the impulse on their bodies, without contacts."""
         impulse = np.zeros_like(rest)
         if not self._hung:
@@ -158,14 +164,14 @@ class Attribution:
             self._entries.works["joints"] += kick.work(impulse)
         return impulse
 
-    def _couples(self, kick: Kick, contacts: Contacts, impulse: Array) -> Array | float:
+    def _couples(self, kick: KickRecord, contacts: Contacts, impulse: Array) -> Array | float:
         """Return the torques of contacts, (k,), if a kinematic body turns in one; else 0."""
         turns = (self._mass[:, 2] == 0) & (kick.mean[:, 2] != 0)
         if not turns[contacts.bodies].any():
             return 0.0
         return couples(contacts, impulse, kick.place, kick.inertia)
 
-    def _jump(self, step: StepRecord, kick: Kick) -> Array:
+    def _jump(self, step: StepRecord, kick: KickRecord) -> Array:
         """Book the impulses of sequential impacts, and return them: (n, 3)."""
         if step.jump is None:
             return np.zeros_like(self._mass)
@@ -173,7 +179,7 @@ class Attribution:
         self._entries.give("supports", impulse, kick.place)
         return impulse
 
-    def _hand(self, step: StepRecord, kick: Kick, rest: Array, contacts: Contacts) -> Array:
+    def _hand(self, step: StepRecord, kick: KickRecord, rest: Array, contacts: Contacts) -> Array:
         """Book the impulse of a hand, without that of contacts, and return it: (n, 3)."""
         impulse = np.zeros_like(rest)
         hold = step.hold
@@ -187,7 +193,7 @@ class Attribution:
         self._entries.give("hand", impulse, kick.place)
         return impulse
 
-    def _touch(self, kick: Kick, rest: Array, jumped: float, contacts: Contacts) -> float:
+    def _touch(self, kick: KickRecord, rest: Array, jumped: float, contacts: Contacts) -> float:
         """Book the contacts: the remaining impulses on touching bodies, and sequential impacts.
 
         Return the work of impacts.

@@ -24,23 +24,23 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kicks.kick_parts import Stage
-from sandbox.physics.contacts.impacts.contact_work import Kick
+from sandbox.physics.contacts.impacts.contact_work import KickRecord
 from sandbox.physics.energy.balance import Balance
-from sandbox.physics.energy.divided_drifts import kicks_within
 from sandbox.physics.energy.energy_and_momentum import MechanicalEnergy, velocity_of
 from sandbox.physics.energy.impulse_attribution import Attribution
+from sandbox.physics.energy.inner_kicks import kicks_within
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.events.impact_response import Collided
-from sandbox.physics.events.slip_phases import Stop
-from sandbox.physics.events.switching_events import Acted
+from sandbox.physics.events.slip_phases import SlipEntries
+from sandbox.physics.events.switching_events import EventEntries
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.joint_forces import pulls_of
 from sandbox.physics.state.motion import Instant, Motion
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
     from sandbox.physics.forces.law import Law
 
 SEEN = 1e-12
@@ -103,7 +103,9 @@ class Ledger:
         after = self._left()
         t = step.t if step.seen is None else float(step.seen.t)
         seen = step.seen or self._middle(0.0, before)
-        moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._mechanics.inertia(t))
+        moment = KickRecord(
+            t, step.dt, seen, step.snapshot.position, before, self._mechanics.inertia(t)
+        )
         self._carry(t, before, after)
         pulls = pulls_of(self._scene.joints, len(self._scene.inertia))
         slack, begun = pulls.slack_before(*self._pulls), before
@@ -158,7 +160,7 @@ class Ledger:
     def _push(self, t: float, length: float, seen: Instant, after: Array) -> None:
         """Book a kick in which only laws and joints act, up to the velocities `after`, (n, 3)."""
         before, inertia = velocity_of(seen), self._mechanics.inertia(t)
-        kick = Kick(t, length, seen, seen.position, (before + after) / 2, inertia)
+        kick = KickRecord(t, length, seen, seen.position, (before + after) / 2, inertia)
         laws = sum((self._causes.force(law, kick) for law in self._laws), np.zeros_like(after))
         if self._scene.joints.together:
             self._entries.give("supports", inertia * (after - before) - laws, kick.place)
@@ -217,7 +219,7 @@ class Ledger:
         direct = self._scene.direct
         return direct.drifts.divided.first if direct and direct.drifts.divided else 1.0
 
-    def _divide(self, divided: "Divided") -> Array:
+    def _divide(self, divided: "DividedDrift") -> Array:
         """Book a drift in parts; return the velocities at its end, as of a whole drift: (n, 3).
 
         Its first kick may belong to the whole kick before it, and takes back the excess of that;
@@ -253,7 +255,7 @@ class Ledger:
         self._entries.support(sum((impact.given for impact in impacts), collided.pulled))
         return collided.begun
 
-    def _stop(self, stop: Stop) -> Array:
+    def _stop(self, stop: SlipEntries) -> Array:
         """Book the ends of slipping in the last drift; return the velocities at its end."""
         before = self._end
         self._go_on(stop.begun, stop.lifted)
@@ -266,7 +268,7 @@ class Ledger:
         self._entries.support(stop.given)
         return stop.begun
 
-    def _act(self, happened: Acted) -> Array:
+    def _act(self, happened: EventEntries) -> Array:
         """Book the events in the last drift; return the velocities at its end."""
         self._go_on(happened.begun, happened.lifted)
         self._entries.put_in({"events": happened.switched})

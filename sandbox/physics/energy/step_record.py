@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import XY
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.scene.drift_and_kick import Substep
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
     from sandbox.physics.events.impact_response import Collided
-    from sandbox.physics.events.slip_phases import Stop
-    from sandbox.physics.events.switching_events import Acted
+    from sandbox.physics.events.slip_phases import SlipEntries
+    from sandbox.physics.events.switching_events import EventEntries
 
 
 class StepRecord(NamedTuple):
@@ -50,11 +50,11 @@ class StepRecord(NamedTuple):
     """The number of contacts, first in the list, that were impacts in its drift."""
     impacts: "Collided | None" = None
     """The located impacts in its drift; None if there were none."""
-    stop: "Stop | None" = None
+    stop: "SlipEntries | None" = None
     """The ends of slipping in its drift; None if there were none."""
-    acted: "Acted | None" = None
+    acted: "EventEntries | None" = None
     """The events in its drift; None if there were none."""
-    divided: "Divided | None" = None
+    divided: "DividedDrift | None" = None
     """The parts of its drift, if it was taken in parts; else None."""
     jump: Array | None = None
     """(n, 3), the jumps of velocity in sequential impacts [m/s, rad/s]; None without."""

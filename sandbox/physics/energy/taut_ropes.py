@@ -3,11 +3,11 @@
 import numpy as np
 
 from sandbox.physics.contacts.direct.complementarity.islands import islands
-from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.joints.joint_forces import Pulls
+from sandbox.physics.engine.space_arrays import Booleans, Contacts
+from sandbox.physics.joints.joint_forces import JointForces
 
 
-def reached(pulls: Pulls, contacts: Contacts, slack: Booleans, moves: Booleans) -> Booleans:
+def reached(pulls: JointForces, contacts: Contacts, slack: Booleans, moves: Booleans) -> Booleans:
     """Return which joints' equations a jerk reaches, from body to body: (m,).
 
     `pulls` and `contacts` are the forces in a kick; `slack`, (m,), are the equations that did not

@@ -10,7 +10,6 @@ import pymunk
 from sandbox.model.body import Body
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.shapes import (
     XY,
     Arc,
@@ -24,6 +23,7 @@ from sandbox.model.shapes import (
     evaluate,
     points_of,
 )
+from sandbox.model.translatable_message import Message
 from sandbox.model.wires import along
 from sandbox.physics.state.errors import SimulationError
 
@@ -64,7 +64,7 @@ def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
         body.velocity = evaluate(spec.velocity, values)
         body.angular_velocity = spec.angular_velocity(values)
     if spec.motion:
-        from sandbox.physics.engine.kinematic_bodies import velocities_at_start
+        from sandbox.physics.engine.prescribed_motion import velocities_at_start
 
         body.velocity, body.angular_velocity = velocities_at_start(spec.motion, values)
     return body

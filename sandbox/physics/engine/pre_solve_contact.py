@@ -13,7 +13,7 @@ def address(shape: pymunk.Shape) -> int:
     return int(ffi.cast("uintptr_t", shape._shape))  # noqa: SLF001
 
 
-class Meeting:
+class PreSolveContact:
     """Two shapes that pymunk found to be close, before it solves their contact."""
 
     __slots__ = ("_arbiter", "shapes")

@@ -14,7 +14,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.model.quantities import Quantity, quantity
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.batched_joints import ManyJoints
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.quantities.meter import Meter
@@ -59,7 +59,7 @@ def accepts(world: World) -> bool:
 
 
 @dataclass(slots=True)
-class Flown:
+class BatchedRun:
     """The outcome of a run."""
 
     trace: Trace | None
@@ -68,7 +68,7 @@ class Flown:
     """Whether a condition ended it."""
 
 
-class Flight:
+class BatchStepper:
     """Steps N worlds of one level together, from right after their start, and records quantities.
 
     The worlds are all accepted, with the same bodies and joints and the same step. `steps` is the
@@ -86,7 +86,7 @@ class Flight:
             [{n: np.atleast_1d(c) for n, c in meter(world.snapshot).items()}]
             for meter, world in zip(self._meters, worlds, strict=True)
         ]
-        self._found: list[Flown | None] = [None] * len(worlds)
+        self._found: list[BatchedRun | None] = [None] * len(worlds)
         self._flying = np.arange(len(worlds))
         state = np.array([world.scene.batch.state() for world in worlds])
         self._place, self._velocity = state[:, :, :3].copy(), state[:, :, 3:].copy()
@@ -97,7 +97,7 @@ class Flight:
         self._joints = ManyJoints(together, self._dt) if together else None
         self._energies = _Energies(worlds)
 
-    def fly(self) -> list[Flown]:
+    def fly(self) -> list[BatchedRun]:
         """Run all worlds to their ends."""
         taken = 0
         with np.errstate(all="ignore"):  # runs with non-finite values are run alone
@@ -106,7 +106,7 @@ class Flight:
                 doubted = self._chunk(taken, count) if count else None
                 taken += count
                 self._sort_out(taken, doubted)
-        return [flown or Flown(None, stopped=False) for flown in self._found]
+        return [flown or BatchedRun(None, stopped=False) for flown in self._found]
 
     def _chunk(self, taken: int, count: int) -> Booleans:
         """Take a number of steps, measure them, and return which runs must be run alone: (N,)."""
@@ -142,7 +142,7 @@ class Flight:
         going = np.ones(len(self._flying), dtype=bool)
         for at, run in enumerate(self._flying):
             if doubted is not None and doubted[at]:
-                self._found[run], going[at] = Flown(None, stopped=False), False
+                self._found[run], going[at] = BatchedRun(None, stopped=False), False
             elif flown := self._ended(int(run), taken):
                 self._found[run], going[at] = flown, False
         if going.all():
@@ -153,7 +153,7 @@ class Flight:
         if self._joints:
             self._joints.keep(going)
 
-    def _ended(self, run: int, taken: int) -> Flown | None:
+    def _ended(self, run: int, taken: int) -> BatchedRun | None:
         """Return the outcome of a run; None if it has not ended."""
         parts, world = self._columns[run], self._worlds[run]
         if self._stop and len(parts) > 1:
@@ -161,10 +161,10 @@ class Flight:
             t = self._times(taken - len(next(iter(last.values()))) + 1, taken)
             at = self._stop(last, t, world)
             if at is not None and (end := taken - len(t) + at + 1) <= self._steps[run]:
-                return Flown(self._trace(run, end), stopped=True)
+                return BatchedRun(self._trace(run, end), stopped=True)
         if taken < self._steps[run]:
             return None
-        return Flown(self._trace(run, int(self._steps[run])), stopped=False)
+        return BatchedRun(self._trace(run, int(self._steps[run])), stopped=False)
 
     def _times(self, first: int, last: int) -> Array:
         """Return the times of some steps, as a world counts them [s]."""

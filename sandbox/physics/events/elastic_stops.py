@@ -20,8 +20,8 @@ import numpy as np
 from sandbox.model.acting_events import bouncing
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
-from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.events.joint_breaking import borne_jolt
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
 from sandbox.physics.events.switching_events import NEAR, Part, since
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of

@@ -4,11 +4,11 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.detection.time_of_impact import Hit
-from sandbox.physics.contacts.impacts.endless_impacts import OFTEN, EndlessImpacts
-from sandbox.physics.contacts.impacts.simultaneous_impacts import EQUAL, GENTLE, MANY
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.contacts.impacts.endless_impacts_error import OFTEN, EndlessImpacts
+from sandbox.physics.contacts.impacts.pile_impacts import EQUAL, GENTLE, MANY
+from sandbox.physics.engine.space_arrays import Booleans
 
 MOST = 500
 """The most impacts of a body in a step, which take 0.2 s to compute."""
@@ -24,7 +24,7 @@ CRAMPED = Message(
 Restitution = Callable[[Hit], float]
 
 
-class Turns:
+class ImpactOrder:
     """Chooses the impacts that come next; n bodies.
 
     `restitution` returns the coefficient of a hit; `moving`, (n,), are the bodies that can move,
@@ -64,7 +64,7 @@ class Turns:
 
 
 class Tally:
-    """Counts the impacts of a drift; n bodies. For the parameters see `Turns`."""
+    """Counts the impacts of a drift; n bodies. For the parameters see `ImpactOrder`."""
 
     def __init__(self, restitution: Restitution, moving: Booleans, dt: float) -> None:
         self._restitution, self._moving, self._instant = restitution, moving, INSTANT * dt

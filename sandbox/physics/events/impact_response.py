@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
 from sandbox.physics.contacts.impacts.contact_kinematics import over_bodies, pair_jacobian
-from sandbox.physics.contacts.impacts.simultaneous_impacts import pushes
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.contacts.impacts.pile_impacts import pushes
+from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum

@@ -16,13 +16,13 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.kicks.impacts import impulses
+from sandbox.physics.contacts.direct.kicks.coupled_impacts import impulses
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.outlines import Figures
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces, lay_out
-from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.joints.joint_forces import Pulls
+from sandbox.physics.joints.joint_forces import JointForces
 from sandbox.physics.scene.scene import Scene
 
 
@@ -36,7 +36,7 @@ class Jolt(NamedTuple):
     begun: Array
     after: Array
     """(n, 3), the velocities before and after it [m/s, rad/s]."""
-    pulls: Pulls
+    pulls: JointForces
     """The impulses of the exact joints, in place of tensions [N s]."""
     contacts: Contacts
     """The contacts, with their impulses."""
@@ -66,7 +66,7 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
         leaves[row] = restitution * min(float(kick.here.jacobian[row] @ came), 0.0)
     impulse = impulse + impulses(kick, came, leaves, np.zeros_like(out))
     state = scene.batch.state()
-    pulls = Pulls(
+    pulls = JointForces(
         joints.jacobian(),
         impulse[kick.layout.joints],
         joints.pulls_only,

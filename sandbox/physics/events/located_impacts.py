@@ -18,15 +18,15 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of
 from sandbox.model.level import Level
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Path, meet, touching
-from sandbox.physics.contacts.impacts.endless_impacts import EndlessImpacts
-from sandbox.physics.contacts.impacts.post_impact_velocity import impacts
-from sandbox.physics.contacts.impacts.simultaneous_impacts import PRESSED
+from sandbox.physics.contacts.impacts.endless_impacts_error import EndlessImpacts
+from sandbox.physics.contacts.impacts.impact_step_velocity import impacts
+from sandbox.physics.contacts.impacts.pile_impacts import PRESSED
 from sandbox.physics.contacts.shapes.collision_filter import meets
-from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.events.impact_order import Tally, Turns
+from sandbox.physics.engine.space_arrays import Booleans, Contacts
+from sandbox.physics.events.impact_order import ImpactOrder, Tally
 from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
 from sandbox.physics.geometry.outline_distance import Outline, outlines
 from sandbox.physics.scene.scene import Scene
@@ -47,7 +47,7 @@ class Cut(NamedTuple):
     change: Array
 
 
-class Located:
+class ImpactLocator:
     """Cuts the drift of a step at the impacts of named bodies; n bodies.
 
     `outlines` are the shapes of all bodies, `swept`, (n,), those whose impacts are located, and
@@ -75,7 +75,7 @@ class Located:
             scene.inverse_mass,
         )
         self._joints = scene.joints
-        self._turns = Turns(self._collision.restitution, scene.mass > 0, dt)
+        self._turns = ImpactOrder(self._collision.restitution, scene.mass > 0, dt)
         self._row = np.array([o.body for o in outlines])
         a, b = np.triu_indices(len(outlines), 1)
         i, j = self._row[a], self._row[b]
@@ -294,13 +294,13 @@ def as_contacts(impacts: Sequence[Impact]) -> Contacts:
     )
 
 
-def locate(level: Level, values: Values, scene: Scene, dt: float) -> Located | None:
+def locate(level: Level, values: Values, scene: Scene, dt: float) -> ImpactLocator | None:
     """Return the locator of the impacts of a level's bodies; None if it names none."""
     contact, names = level.effects.contact, list(level.bodies)
     if contact is None or contact.located is None:
         return None
     hung = {name for joint in level.joints.values() for name in bodies_of(joint)}
-    return Located(
+    return ImpactLocator(
         outlines(list(scene.bodies.values())),
         np.array([name in contact.located for name in names]),
         Coefficients(

@@ -5,15 +5,15 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Batch, Booleans, Contacts
-from sandbox.physics.events.acceleration_after_event import Onwards
+from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts
+from sandbox.physics.events.kick_after_event import ContinuationSolver
 from sandbox.physics.events.slip_phases import Slips
 
 WEAKER = 1e-6
 """A contact whose friction is below its limit by more than this share no longer slips."""
 
 
-class Seen(NamedTuple):
+class SlipState(NamedTuple):
     """The k contacts of a kick of n bodies."""
 
     place: Array
@@ -29,7 +29,7 @@ class Seen(NamedTuple):
     """The number of steps until the first end."""
 
 
-class Lookout:
+class SlipDetector:
     """Detects the contacts whose slip ends; n bodies, k contacts.
 
     `named`, (n,), are the bodies whose slipping is located, and `coefficients`, (n, n), those of
@@ -38,12 +38,17 @@ class Lookout:
     """
 
     def __init__(
-        self, batch: Batch, named: Booleans, coefficients: Array, onwards: Onwards, dt: float
+        self,
+        batch: Batch,
+        named: Booleans,
+        coefficients: Array,
+        onwards: ContinuationSolver,
+        dt: float,
     ) -> None:
         self._batch, self._named, self._coefficients = batch, named, coefficients
         self._onwards, self._dt = onwards, dt
 
-    def see(self, came: Array, velocity: Array, acceleration: Array) -> Seen:
+    def see(self, came: Array, velocity: Array, acceleration: Array) -> SlipState:
         """Return which contacts slip at the step, and which no longer do at the next.
 
         The directions are those of the velocities with which bodies came to the step: pymunk lets a
@@ -60,7 +65,7 @@ class Lookout:
             half_on = self._onwards.sense(slips, contacts, velocity + adds / 2, adds)
             weakened |= ends & (half_on != sense)
         steps = self.wait(slips, sense, velocity, adds)
-        return Seen(place, slips, sense, ends, weakened, float(steps.min()))
+        return SlipState(place, slips, sense, ends, weakened, float(steps.min()))
 
     def ends(
         self, slips: Slips, sense: Array, contacts: Contacts, velocity: Array, adds: Array

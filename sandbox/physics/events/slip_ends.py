@@ -5,7 +5,7 @@ pymunk detects that in the next kick, and reduces the friction of that whole kic
 slips back: the end comes up to half a step early or late. Here the drift is cut where the slip
 ends. Between two kicks leapfrog represents a motion with the acceleration of the last, so a slip
 changes linearly and its zero is known. pymunk's solver and the joints determine how the bodies
-continue from there for the rest of the step (`acceleration_after_event.py`). pymunk is then given
+continue from there for the rest of the step (`kick_after_event.py`). pymunk is then given
 the positions at the end of the drift, and the velocities half a kick before.
 
 If the slip ends within the second half of a kick, the half after its step, pymunk has reduced the
@@ -22,11 +22,11 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.level import Level
 from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
-from sandbox.physics.contacts.impacts.post_impact_velocity import impacts, reached
-from sandbox.physics.engine.batch import Booleans, Contacts, Integers
-from sandbox.physics.events.acceleration_after_event import Onwards
-from sandbox.physics.events.slip_detection import Lookout
-from sandbox.physics.events.slip_phases import Phase, Slips, Stop, booked
+from sandbox.physics.contacts.impacts.impact_step_velocity import impacts, reached
+from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
+from sandbox.physics.events.kick_after_event import ContinuationSolver
+from sandbox.physics.events.slip_detection import SlipDetector
+from sandbox.physics.events.slip_phases import Phase, SlipEntries, Slips, booked
 from sandbox.physics.scene.scene import Scene
 
 MOST = 100
@@ -52,7 +52,7 @@ class Cut(NamedTuple):
     """(n, 3), the accelerations since slipping last ended [m/s², rad/s²]."""
 
 
-class Stops:
+class SlipEndLocator:
     """Cuts the drift of a step where the slipping of named bodies ends; n bodies.
 
     `lookout` detects the end of slipping, and `onwards` finds how bodies continue. `linked`,
@@ -71,8 +71,8 @@ class Stops:
         scene: Scene,
         linked: Integers,
         tied: Booleans,
-        lookout: Lookout,
-        onwards: Onwards,
+        lookout: SlipDetector,
+        onwards: ContinuationSolver,
         smooth: Callable[[], Array],
         dt: float,
     ) -> None:
@@ -86,7 +86,7 @@ class Stops:
         self._acceleration: Array | None = None  # until the next step, if it is known
         self._due: tuple[Phase, Slips, Array] | None = None
         self.kicked: Contacts | None = None
-        self.last: Stop | None = None
+        self.last: SlipEntries | None = None
 
     def start(self, velocity: Array, acceleration: Array) -> Array:
         """Check the first kick, of half a step; return the accelerations at the start.
@@ -247,10 +247,10 @@ def stop(
     level: Level,
     values: Values,
     scene: Scene,
-    onwards: Callable[[], Onwards],
+    onwards: Callable[[], ContinuationSolver],
     smooth: Callable[[], Array],
     dt: float,
-) -> Stops | None:
+) -> SlipEndLocator | None:
     """Return the locator of the ends of slipping for a level; None if it names no bodies."""
     friction, names = level.effects.friction, list(level.bodies)
     if friction is None or friction.located is None:
@@ -267,5 +267,5 @@ def stop(
     named = np.array([name in friction.located for name in names])
     coefficients = pair_coefficients(level, values, "friction")
     found = onwards()
-    lookout = Lookout(scene.batch, named, coefficients, found, dt)
-    return Stops(scene, linked, tied, lookout, found, smooth, dt)
+    lookout = SlipDetector(scene.batch, named, coefficients, found, dt)
+    return SlipEndLocator(scene, linked, tied, lookout, found, smooth, dt)

@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.impacts.contact_kinematics import pair_jacobian
 from sandbox.physics.contacts.impacts.contact_work import rubbing
-from sandbox.physics.engine.batch import Contacts, Integers
+from sandbox.physics.engine.space_arrays import Contacts, Integers
 from sandbox.physics.state.motion import momentum
 
 ROUNDING = 1e-12
@@ -86,7 +86,7 @@ class Phase(NamedTuple):
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 
 
-class Stop(NamedTuple):
+class SlipEntries(NamedTuple):
     """The energy and momentum that the end of slipping within a drift adds to the books; n bodies.
 
     The books assume that the kick before the drift acts until its middle, and the kick after it
@@ -111,7 +111,7 @@ class Stop(NamedTuple):
 
 def booked(
     phases: Sequence[Phase], inertia: Array, smooth: Array, running: Array, dt: float
-) -> Stop:
+) -> SlipEntries:
     """Return the entries for the books from a drift of several phases, of length dt [s].
 
     Bodies that are not affected by an end of slipping have constant accelerations. `inertia`,
@@ -142,4 +142,4 @@ def booked(
     ways = sum(part.velocity * half + part.acceleration * (half * half / 2) for part in halves)
     change = first.acceleration - last.acceleration
     lifted = float(np.sum(inertia * smooth * change)) * half * half / 2
-    return Stop(begun, rubbed, works, place - first.place - ways, lifted, given)
+    return SlipEntries(begun, rubbed, works, place - first.place - ways, lifted, given)

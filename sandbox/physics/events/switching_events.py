@@ -48,7 +48,7 @@ class Part(NamedTuple):
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 
 
-class Acted(NamedTuple):
+class EventEntries(NamedTuple):
     """The energy and momentum that an event within a drift adds to the books; n bodies.
 
     The books assume that the kick before the drift acts until its middle, and the kick after it
@@ -109,7 +109,7 @@ def since(holds: Callable[[float], bool], low: float, high: float) -> float:
 
 def acted(
     parts: Sequence[Part], laws: Sequence[Law], inertia: Array, switched: float, dt: float
-) -> Acted:
+) -> EventEntries:
     """Return the entries for the books from a drift of several parts, of length dt [s].
 
     One part lies before the first event, and one after each event. The works and impulses are those
@@ -130,17 +130,17 @@ def acted(
     given = sum((share.given(inertia) for share in every), np.zeros(3))
     pull = first.smooth * first.acceleration - last.smooth * last.acceleration
     lifted = float(np.sum(inertia * pull)) * half * half / 2
-    return Acted(begun, switched, worked, pushed, given, lifted)
+    return EventEntries(begun, switched, worked, pushed, given, lifted)
 
 
-def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> Acted:
+def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> EventEntries:
     """Return the entries for the books if all events happened at the step before a drift.
 
     `begun`, (n, 3), are the velocities after the events [m/s, rad/s], and `switched` is the jump of
     the stored energy [J]. No law has done any work yet.
     """
     nothing = np.zeros(3)
-    return Acted(begun, switched, [0.0] * len(laws), [nothing] * len(laws), nothing, 0.0)
+    return EventEntries(begun, switched, [0.0] * len(laws), [nothing] * len(laws), nothing, 0.0)
 
 
 class _Share(NamedTuple):

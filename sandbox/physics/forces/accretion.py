@@ -13,7 +13,7 @@ from sandbox.model.effects import accretion as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.forces.variable_mass import Flow
 from sandbox.physics.state.motion import Motion
 
@@ -47,7 +47,7 @@ def flows(
         yield Flow(names.index(one.body), one.rate(values), effect=one.effect.name)
 
 
-def laws(said: Sequence[declared.Accretion], given: Given) -> Iterator[Law]:
+def laws(said: Sequence[declared.Accretion], given: LawInputs) -> Iterator[Law]:
     """Yield the force of each accretion."""
     for one, flow in zip(said, flows(said, given.values, given.names), strict=True):
         yield Accretion(flow, evaluate(one.velocity, given.values), given.step)

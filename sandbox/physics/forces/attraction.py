@@ -10,8 +10,8 @@ from sandbox.model.effects import attraction as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.engine.batch import Integers, in_place
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.engine.space_arrays import Integers, in_place
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
@@ -72,7 +72,7 @@ class Attraction:
         return -1 / ((self.power - 1) * distance ** (self.power - 1))
 
 
-def laws(said: Sequence[declared.Attraction], given: Given) -> Iterator[Law]:
+def laws(said: Sequence[declared.Attraction], given: LawInputs) -> Iterator[Law]:
     """Yield the attraction to each centre."""
     values = given.values
     for one in said:

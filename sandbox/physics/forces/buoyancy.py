@@ -18,11 +18,11 @@ from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import Area, Disc
 from sandbox.physics.engine.bodies import local_points
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.state.motion import Motion
 
 
-class Displaced(NamedTuple):
+class DisplacedArea(NamedTuple):
     """The submerged area A of a body, and integrals over it."""
 
     area: Array
@@ -34,12 +34,12 @@ class Displaced(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Round:
+class DiscOutline:
     """The outline of a disc."""
 
     radius: float  # m
 
-    def displaced(self, height: Array, angle: Array) -> Displaced:  # noqa: ARG002 (it is round)
+    def displaced(self, height: Array, angle: Array) -> DisplacedArea:  # noqa: ARG002 (it is round)
         """Return the displaced area with the centre at a height above the surface [m]."""
         deep = -height / self.radius
         d = np.clip(deep, -1.0, 1.0)
@@ -47,23 +47,23 @@ class Round:
         turned = np.pi / 2 + np.arcsin(d)
         depth = d * turned + half - half**3 / 3 + np.pi * np.maximum(deep - 1, 0.0)
         area = turned + d * half
-        return Displaced(self.radius**2 * area, np.zeros_like(area), self.radius**3 * depth)
+        return DisplacedArea(self.radius**2 * area, np.zeros_like(area), self.radius**3 * depth)
 
 
 @dataclass(frozen=True, slots=True)
-class Cornered:
+class PolygonOutline:
     """The outline of a polygon, counter-clockwise."""
 
     corners: Array  # (c,) x + iy from the centre of mass [m]
 
     @classmethod
-    def of(cls, points: list[tuple[float, float]]) -> "Cornered":
+    def of(cls, points: list[tuple[float, float]]) -> "PolygonOutline":
         """Return the outline through corners, in either orientation."""
         corners = np.array([complex(*point) for point in points])
         turning = float(np.sum((corners.conj() * np.roll(corners, -1)).imag))
         return cls(corners if turning > 0 else corners[::-1])
 
-    def displaced(self, height: Array, angle: Array) -> Displaced:
+    def displaced(self, height: Array, angle: Array) -> DisplacedArea:
         """Return the displaced area with the centre at a height [m] and at an angle [rad]."""
         a = self.corners * np.exp(1j * np.asarray(angle))[..., None]
         a = a + 1j * np.asarray(height)[..., None]
@@ -72,7 +72,7 @@ class Cornered:
         area = -along * (ya + yb) / 2
         depth = along * (ya * ya + ya * yb + yb * yb) / 6
         moment = -along * (a.real * (2 * ya + yb) + b.real * (ya + 2 * yb)) / 6
-        return Displaced(*(part.sum(axis=-1) for part in (area, moment, depth)))
+        return DisplacedArea(*(part.sum(axis=-1) for part in (area, moment, depth)))
 
 
 def _below(a: Array, b: Array) -> tuple[Array, Array]:
@@ -91,7 +91,7 @@ class Buoyancy:
 
     weight: float  # N/m², ρ g
     surface: float  # m
-    bodies: tuple[tuple[int, Round | Cornered], ...]  # each with its outline
+    bodies: tuple[tuple[int, DiscOutline | PolygonOutline], ...]  # each with its outline
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add the force on each body, and its torque about the centre of mass."""
@@ -106,13 +106,13 @@ class Buoyancy:
             stored[..., row] = self.weight * found.depth
         return stored
 
-    def _displaced(self, motion: Motion) -> Iterator[tuple[int, Displaced]]:
+    def _displaced(self, motion: Motion) -> Iterator[tuple[int, DisplacedArea]]:
         for row, outline in self.bodies:
             height = motion.position[..., row, 1] - self.surface
             yield row, outline.displaced(height, motion.angle[..., row])
 
 
-def laws(said: declared.Buoyancy, given: Given) -> Iterator[Law]:
+def laws(said: declared.Buoyancy, given: LawInputs) -> Iterator[Law]:
     """Yield the buoyancy."""
     level, values = given.level, given.values
     rows = given.rows(said.bodies).tolist()
@@ -122,7 +122,7 @@ def laws(said: declared.Buoyancy, given: Given) -> Iterator[Law]:
     yield Buoyancy(weight, said.surface(values), bodies)
 
 
-def _outline(body: Body, values: Values) -> Round | Cornered:
+def _outline(body: Body, values: Values) -> DiscOutline | PolygonOutline:
     if isinstance(body.shape, Disc):
-        return Round(body.shape.radius(values))
-    return Cornered.of(local_points(body, values))
+        return DiscOutline(body.shape.radius(values))
+    return PolygonOutline.of(local_points(body, values))

@@ -9,7 +9,7 @@ import numpy as np
 from sandbox.model.effects import centrifugal as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
@@ -40,7 +40,7 @@ class Centrifugal:
         return np.asarray(-mass * self.rate**2 * (motion.position[..., 0] - self.axis) ** 2 / 2)
 
 
-def laws(said: declared.Centrifugal, given: Given) -> Iterator[Law]:
+def laws(said: declared.Centrifugal, given: LawInputs) -> Iterator[Law]:
     """Yield the centrifugal force."""
     rate, axis = said.rate(given.values), said.axis(given.values)
     yield Centrifugal(rate, axis, given.mass, given.share)

@@ -15,7 +15,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import evaluate
 from sandbox.physics.forces.gravity import Gravity
-from sandbox.physics.forces.law import Given, Law, Turn
+from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
 from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
 
 _ROOM = __name__.rpartition(".")[0]
@@ -28,13 +28,15 @@ def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Grav
     return Gravity(evaluate(effects.gravity.acceleration, values), mass, share)
 
 
-def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
+def laws(
+    effects: Effects, given: LawInputs
+) -> tuple[tuple[Law, ...], tuple[VelocityRotation, ...]]:
     """Return the laws that pymunk does not apply by itself: forces, and rotations of velocities.
 
     Raises `IncompleteError` if the law of an effect contradicts its declaration.
     """
     forces: list[Law] = []
-    turns: list[Turn] = []
+    turns: list[VelocityRotation] = []
     for effect in effects.declarations:
         if not effect.is_law:
             continue
@@ -44,7 +46,7 @@ def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, .
     return tuple(forces), tuple(turns)
 
 
-def _laws_of(effect: Effect, said: Any, given: Given) -> Iterable[Any]:  # noqa: ANN401
+def _laws_of(effect: Effect, said: Any, given: LawInputs) -> Iterable[Any]:  # noqa: ANN401
     make = part_of(effect, "laws")
     if not given.switches:
         return make(said, given)
@@ -53,7 +55,7 @@ def _laws_of(effect: Effect, said: Any, given: Given) -> Iterable[Any]:  # noqa:
     return switched_laws(make, said, effect.name, given)
 
 
-def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
+def one_by_one(effects: Effects, given: LawInputs) -> Iterator[tuple[Model, Law]]:
     """Yield each force with its settings; if these are a list, one law for each entry."""
     for effect in effects.declarations:
         if effect.is_law and not effect.turns:
@@ -93,7 +95,7 @@ def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
     return getattr(module, function)
 
 
-def _require(effect: Effect, law: Law | Turn) -> None:
+def _require(effect: Effect, law: Law | VelocityRotation) -> None:
     """Refuse a law that contradicts its effect's declaration."""
     needed = ("rate",) if effect.turns else ("add", "potential_energy")
     if lacking := [name for name in needed if not hasattr(law, name)]:

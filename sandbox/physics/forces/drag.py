@@ -9,8 +9,8 @@ import numpy as np
 from sandbox.model.effects import drag as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Integers, in_place
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.engine.space_arrays import Integers, in_place
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.state.motion import Motion
 
 
@@ -35,7 +35,7 @@ class Drag:
         return np.zeros(motion.position.shape[:-1])
 
 
-def laws(said: declared.Drag, given: Given) -> Iterator[Law]:
+def laws(said: declared.Drag, given: LawInputs) -> Iterator[Law]:
     """Yield the drag."""
     rows = in_place(given.rows(said.bodies))
     yield Drag(said.linear(given.values), said.quadratic(given.values), rows)

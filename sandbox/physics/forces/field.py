@@ -9,8 +9,8 @@ from sandbox.model.effects import field as declared
 from sandbox.model.effects.contract import Effect, Sight
 from sandbox.model.expressions import Array, Values
 from sandbox.model.number_bounds import ForceInField
-from sandbox.physics.engine.batch import Integers, in_place
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.engine.space_arrays import Integers, in_place
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.state.motion import Motion
 
@@ -33,7 +33,7 @@ class Weight:
     share: Share
 
     @classmethod
-    def of(cls, bodies: Sequence[str] | None, per: str, given: Given) -> "Weight":
+    def of(cls, bodies: Sequence[str] | None, per: str, given: LawInputs) -> "Weight":
         """Return the weights of the named bodies, or of all dynamic bodies if none are named."""
         rows = in_place(given.rows(bodies))
         return cls(rows, given.mass if per == "mass" else None, given.share)
@@ -73,7 +73,7 @@ class Field:
         return np.zeros(motion.position.shape[:-1])
 
 
-def laws(said: Sequence[declared.Field], given: Given) -> Iterator[Law]:
+def laws(said: Sequence[declared.Field], given: LawInputs) -> Iterator[Law]:
     """Yield each field, declared to depend only on what its formulas contain."""
     for one in said:
         used = {SIGHTS[name] for f in one.force for name in f.names & SIGHTS.keys()}

@@ -9,9 +9,9 @@ import numpy as np
 from sandbox.model.effects import force as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.state.motion import Motion
 
 
@@ -118,7 +118,7 @@ class Push:
         return c * x - s * y, s * x + c * y
 
 
-def laws(said: Sequence[declared.Force], given: Given) -> Iterator[Law]:
+def laws(said: Sequence[declared.Force], given: LawInputs) -> Iterator[Law]:
     """Yield each force that changes or turns, and all others together."""
     steady: list[tuple[int, XY, XY]] = []
     for force in said:

@@ -9,8 +9,8 @@ import numpy as np
 from sandbox.model.effects import gravitation as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Integers, in_place
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.engine.space_arrays import Integers, in_place
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
@@ -104,7 +104,7 @@ class Gravitation:
         return (self.mass * self.share(motion.t))[..., self._rows, None]
 
 
-def laws(said: declared.Gravitation, given: Given) -> Iterator[Law]:
+def laws(said: declared.Gravitation, given: LawInputs) -> Iterator[Law]:
     """Yield the gravitation between the bodies."""
     constant, softening = said.constant(given.values), said.softening(given.values)
     yield Gravitation(constant, given.rows(said.bodies), given.mass, softening, given.share)

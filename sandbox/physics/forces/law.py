@@ -2,10 +2,11 @@
 
 The law of an effect is in the module of the effect's name in this folder, with a function
 
-    def laws(said: Drag, given: Given) -> Iterator[Law]: ...
+    def laws(said: Drag, given: LawInputs) -> Iterator[Law]: ...
 
-which makes it from the level's settings of the effect: a `Law`, or a `Turn` if the effect does no
-work. The effect is declared in `sandbox.model.effects`; a law refers to that declaration.
+which makes it from the level's settings of the effect: a `Law`, or a `VelocityRotation` if the
+effect does no work. The effect is declared in `sandbox.model.effects`; a law refers to that
+declaration.
 """
 
 from collections.abc import Sequence
@@ -42,7 +43,7 @@ class Law(Protocol):
         """Return the potential energy of each body [J]: (..., n)."""
 
 
-class Turn(Protocol):
+class VelocityRotation(Protocol):
     """A force perpendicular to the velocity, F = m ω (−vy, vx), which turns it and does no work.
 
     A law gives only the rate ω: the kick turns velocities without changing their magnitudes (see
@@ -57,7 +58,7 @@ class Turn(Protocol):
         """Return ω of each body, counter-clockwise [rad/s]: (..., n), 0 where it does not act."""
 
 
-class Given(NamedTuple):
+class LawInputs(NamedTuple):
     """The input from which the laws of a level are made."""
 
     level: Level

@@ -9,7 +9,7 @@ import numpy as np
 from sandbox.model.effects import magnetic as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.law import Given, Turn
+from sandbox.physics.forces.law import LawInputs, VelocityRotation
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
@@ -28,7 +28,7 @@ class Magnetic:
         return np.broadcast_to(self.turning / self.share(motion.t), motion.velocity.shape[:-1])
 
 
-def laws(said: declared.Magnetic, given: Given) -> Iterator[Turn]:
+def laws(said: declared.Magnetic, given: LawInputs) -> Iterator[VelocityRotation]:
     """Yield the field."""
     field, turning = said.field(given.values), np.zeros(len(given.names))
     for charged in said.charges:

@@ -9,10 +9,10 @@ import numpy as np
 from sandbox.model.effects import potential as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
-from sandbox.model.formulas import Function
+from sandbox.model.functions import Function
 from sandbox.model.number_bounds import EnergyInField
 from sandbox.physics.forces.field import Weight
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.state.motion import Motion
 
 
@@ -49,7 +49,7 @@ class Potential:
         return {"x": place[..., 0], "y": place[..., 1]}
 
 
-def laws(said: Sequence[declared.Potential], given: Given) -> Iterator[Law]:
+def laws(said: Sequence[declared.Potential], given: LawInputs) -> Iterator[Law]:
     """Yield each potential."""
     for one in said:
         yield Potential(one.energy, given.values, Weight.of(one.bodies, one.per, given))

@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.law import Given, Law, Turn
+from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
 from sandbox.physics.forces.switch import Switch, Switches
 from sandbox.physics.state.motion import Motion
 
@@ -39,10 +39,10 @@ class SwitchedLaw:
 
 
 @dataclass(frozen=True, slots=True)
-class SwitchedTurn:
-    """A `Turn` that acts while its switch is on."""
+class SwitchedRotation:
+    """A `VelocityRotation` that acts while its switch is on."""
 
-    turn: Turn
+    turn: VelocityRotation
     switch: Switch
 
     @property
@@ -56,11 +56,11 @@ class SwitchedTurn:
 
 
 def switched_laws(
-    make: Callable[..., Iterable[Law | Turn]],
+    make: Callable[..., Iterable[Law | VelocityRotation]],
     said: Any,  # noqa: ANN401 (whatever an effect says)
     name: str,
-    given: Given,
-) -> Iterator[Law | Turn]:
+    given: LawInputs,
+) -> Iterator[Law | VelocityRotation]:
     """Yield the laws of an effect, with switches for those that events turn on and off."""
     for part, switch in _parts(said, name, given.switches):
         for law in make(part, given):
@@ -80,7 +80,7 @@ def _parts(said: Any, name: str, switches: Switches) -> Iterator[tuple[Any, Swit
         yield (one,), switches[one.name]
 
 
-def _switched(law: Law | Turn, switch: Switch) -> Law | Turn:
+def _switched(law: Law | VelocityRotation, switch: Switch) -> Law | VelocityRotation:
     if law.effect.turns:
-        return SwitchedTurn(cast("Turn", law), switch)
+        return SwitchedRotation(cast("VelocityRotation", law), switch)
     return SwitchedLaw(cast("Law", law), switch)

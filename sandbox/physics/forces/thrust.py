@@ -13,7 +13,7 @@ from sandbox.model.effects import thrust as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.forces.variable_mass import Flow
 from sandbox.physics.state.motion import Motion
 
@@ -49,7 +49,7 @@ def flows(said: Sequence[declared.Thrust], values: Values, names: Sequence[str])
         yield Flow(names.index(thrust.body), -rate, propellant / rate, thrust.effect.name)
 
 
-def laws(said: Sequence[declared.Thrust], given: Given) -> Iterator[Law]:
+def laws(said: Sequence[declared.Thrust], given: LawInputs) -> Iterator[Law]:
     """Yield the thrust of each rocket."""
     for thrust, flow in zip(said, flows(said, given.values, given.names), strict=True):
         yield Thrust(flow, evaluate(thrust.exhaust, given.values), given.step)

@@ -9,7 +9,7 @@ from sandbox.model.effects import torque as declared
 from sandbox.model.effects.contract import Effect, Sight
 from sandbox.model.expressions import Array, Values
 from sandbox.model.number_bounds import TorqueOfTurning
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.state.motion import Motion
 
 SIGHTS: Mapping[str, Sight] = {"theta": "angle", "omega": "velocity", "t": "time"}
@@ -17,14 +17,14 @@ SIGHTS: Mapping[str, Sight] = {"theta": "angle", "omega": "velocity", "t": "time
 
 
 @dataclass(frozen=True, slots=True)
-class Turned:
+class TorquePair:
     """A body on which a torque acts, and the body on which its reaction acts, if any."""
 
     body: int
     against: int | None
 
     @classmethod
-    def of(cls, body: str, against: str | None, given: Given) -> "Turned":
+    def of(cls, body: str, against: str | None, given: LawInputs) -> "TorquePair":
         """Return the bodies that a level names."""
         return cls(given.row(body), None if against is None else given.row(against))
 
@@ -47,7 +47,7 @@ class Torque:
     effect: Effect
     torque: TorqueOfTurning  # N m
     values: Values
-    on: Turned
+    on: TorquePair
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add τ, and its reaction."""
@@ -63,10 +63,10 @@ class Torque:
         return np.zeros(motion.position.shape[:-1])
 
 
-def laws(said: Sequence[declared.Torque], given: Given) -> Iterator[Law]:
+def laws(said: Sequence[declared.Torque], given: LawInputs) -> Iterator[Law]:
     """Yield each torque, declared to depend only on what its formula contains."""
     for one in said:
         used = {SIGHTS[name] for name in one.torque.names & SIGHTS.keys()}
         effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))
-        turned = Turned.of(one.body, one.against, given)
+        turned = TorquePair.of(one.body, one.against, given)
         yield Torque(effect, one.torque, given.values, turned)

@@ -9,8 +9,8 @@ import numpy as np
 from sandbox.model.effects import torsion as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.law import Given, Law
-from sandbox.physics.forces.torque import Turned
+from sandbox.physics.forces.law import Law, LawInputs
+from sandbox.physics.forces.torque import TorquePair
 from sandbox.physics.state.motion import Motion
 
 
@@ -22,7 +22,7 @@ class Torsion:
 
     stiffness: float  # N m/rad, k
     angle: float  # rad, θ0
-    on: Turned
+    on: TorquePair
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add −k (θ − θ0) on the body, and its reaction."""
@@ -38,8 +38,8 @@ class Torsion:
         return self.on.between(motion.angle) - self.angle
 
 
-def laws(said: Sequence[declared.Torsion], given: Given) -> Iterator[Law]:
+def laws(said: Sequence[declared.Torsion], given: LawInputs) -> Iterator[Law]:
     """Yield each torsion spring."""
     for one in said:
-        turned = Turned.of(one.body, one.against, given)
+        turned = TorquePair.of(one.body, one.against, given)
         yield Torsion(one.stiffness(given.values), one.angle(given.values), turned)

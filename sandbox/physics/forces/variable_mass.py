@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 
 Share = Callable[[Array], Array | float]
 """The masses of n bodies at times (...), over those at the start: (..., n), or 1 if constant.

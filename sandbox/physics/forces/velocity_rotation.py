@@ -19,11 +19,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.law import Turn
+from sandbox.physics.forces.law import VelocityRotation
 from sandbox.physics.state.motion import Motion
 
 
-def rates(turns: Sequence[Turn], motion: Motion) -> Array:
+def rates(turns: Sequence[VelocityRotation], motion: Motion) -> Array:
     """Return the total rate at which the velocity of each body turns: (n,) [rad/s]."""
     return np.asarray(sum(turn.rate(motion) for turn in turns))
 

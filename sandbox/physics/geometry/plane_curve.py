@@ -12,7 +12,7 @@ import numpy as np
 
 from sandbox.model.wires import Points
 from sandbox.physics.geometry.outline_distance import dot
-from sandbox.physics.geometry.quintic_interpolation import Quintics
+from sandbox.physics.geometry.quintic_curve import Quintics
 
 KNOT = 16
 """The number of pieces between two knots, the points that a search tries first."""
@@ -42,7 +42,7 @@ separate."""
 _GAUSS = tuple((0.5 + x, w) for x, w in ((-sqrt(0.15), 5 / 18), (0.0, 4 / 9), (sqrt(0.15), 5 / 18)))
 
 
-class Foot(NamedTuple):
+class CurvePoint(NamedTuple):
     """A point of a course."""
 
     at: float
@@ -93,7 +93,7 @@ class Course:
 
     def foot(
         self, point: complex, stretch: Stretch | None = None, near: int | None = None
-    ) -> Foot | None:
+    ) -> CurvePoint | None:
         """Return the foot point on the course or a stretch, searched around the nearest knot.
 
         None if the nearest point is an end. A point beside the common end of two stretches has a
@@ -112,12 +112,12 @@ class Course:
         """Return the first and last knot of a stretch, or of the whole course."""
         return (stretch.first, stretch.last) if stretch else (0, len(self.knots) - 1)
 
-    def follow(self, point: complex, at: float) -> Foot:
+    def follow(self, point: complex, at: float) -> CurvePoint:
         """Return the foot point on the course near a parameter."""
         reach = self._curve.count * FOLLOWED
         return self._between(point, at - reach, at + reach, at)
 
-    def parallel(self, direction: complex, stretch: Stretch) -> Foot | None:
+    def parallel(self, direction: complex, stretch: Stretch) -> CurvePoint | None:
         """Return the point where a bent stretch runs in a direction; None if there is none."""
         low, high = float(stretch.first * KNOT), float(stretch.last * KNOT)
         at = (low + high) / 2
@@ -145,14 +145,14 @@ class Course:
         foot = self.parallel(-stretch.bend * 1j * direction, stretch)
         return min([foot.point] if foot else ends, key=lambda point: dot(point, direction))
 
-    def look(self, at: float) -> Foot:
+    def look(self, at: float) -> CurvePoint:
         """Return the point at a parameter."""
         point, slope, bend = self._curve.at(at)
         speed = abs(slope)
         curvature = (slope.conjugate() * bend).imag / speed**3
         if abs(curvature) < FLATTEST:
             curvature = FLATTEST
-        return Foot(at, point, slope / speed, curvature)
+        return CurvePoint(at, point, slope / speed, curvature)
 
     def length(self, start: float, end: float) -> float:
         """Return the arc length between two close parameters [m], negative backwards."""
@@ -168,7 +168,7 @@ class Course:
         """Return a positive number if the tangent is to the left of a direction, else negative."""
         return (direction.conjugate() * self._curve.at(at)[1]).imag
 
-    def _between(self, point: complex, low: float, high: float, at: float) -> Foot:
+    def _between(self, point: complex, low: float, high: float, at: float) -> CurvePoint:
         """Return the foot point between two parameters, by Newton's method and bisection."""
         for _ in range(HALVINGS):
             place, slope, bend = self._curve.at(at)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot

@@ -8,8 +8,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Stepping
-from sandbox.model.message import NOTHING, Message
-from sandbox.physics.engine.batch import Contacts
+from sandbox.model.translatable_message import NOTHING, Message
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.errors import SimulationError, way_out
 from sandbox.physics.state.motion import kinetic_energy
@@ -22,7 +22,7 @@ Cause = Callable[[int], tuple[Message, float | None]]
 """Returns the cause for a body, by its row, and the rate that it needs [Hz]."""
 
 
-class Lost:
+class FreeFallWatch:
     """Watches bodies under uniform gravity alone, without contacts or joints.
 
     `good` is the last state that passed the checks. `doubts` and `trusts` are unused here: a run

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce
@@ -36,7 +36,7 @@ THIN = 4 * DIRECT_SKIN
 """m, the largest width of a line, which has the skin on both sides."""
 
 
-class Need(NamedTuple):
+class RateBound(NamedTuple):
     """A lower bound on the rate."""
 
     rate: float
@@ -45,7 +45,7 @@ class Need(NamedTuple):
     """What needs it, in words: a joint, a body or an effect."""
 
 
-def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Need]:
+def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[RateBound]:
     """Return the lower bounds on the rate of a scene in a state, the highest first.
 
     The transverse stiffness of a taut string is its tension over its length, so a chain of light
@@ -62,13 +62,13 @@ def needed(scene: Scene, now: Snapshot, located: Container[str] = ()) -> float:
     return max((need.rate for need in needs(scene, now, located)), default=0.0)
 
 
-def _springs(scene: Scene, now: Snapshot) -> Iterator[Need]:
+def _springs(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
     rate, name = limit(scene.joints.springs, scene.inverse_mass, now.angle)
     if rate:
-        yield Need(rate, Message("the spring '{name}'", name=name))
+        yield RateBound(rate, Message("the spring '{name}'", name=name))
 
 
-def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
+def _taut(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
     """Treat taut joints as springs of their transverse stiffness."""
     joints = scene.joints
     taut: dict[str, SpringForce] = {}
@@ -81,10 +81,10 @@ def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
                 taut[f"{index} {name}"] = SpringForce(ends, pulls / far, far, 0.0)
     rate, name = limit(taut, scene.inverse_mass, now.angle)
     if rate:
-        yield Need(rate, Message("the joint '{name}'", name=name.partition(" ")[2]))
+        yield RateBound(rate, Message("the joint '{name}'", name=name.partition(" ")[2]))
 
 
-def fast(scene: Scene, speeds: Array, located: Container[str] = ()) -> Iterator[Need]:
+def fast(scene: Scene, speeds: Array, located: Container[str] = ()) -> Iterator[RateBound]:
     """Yield the rates at which bodies of given speeds, (n,) [m/s], move by their width in a step.
 
     Those whose impacts are `located` need none. Lines are left out: they are as wide as the skin,
@@ -95,10 +95,10 @@ def fast(scene: Scene, speeds: Array, located: Container[str] = ()) -> Iterator[
     ):
         wide = min(map(width, plain(body.shapes)), default=0.0)
         if moves and wide > THIN and speed > 0 and name not in located:
-            yield Need(speed / wide, Message("the body '{name}'", name=name))
+            yield RateBound(speed / wide, Message("the body '{name}'", name=name))
 
 
-def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[Need]:
+def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[RateBound]:
     """Yield the rates that laws need because they change with the position of a body, by its row.
 
     `then` is the motion of the scene; `nudge` is the displacement for the numerical derivative of
@@ -106,10 +106,10 @@ def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[Ne
     """
     for law in scene.laws:
         slope = _slope(scene, law, row, then, "position", nudge)
-        yield Need(just_stable(slope, 0.0), called(scene, law))
+        yield RateBound(just_stable(slope, 0.0), called(scene, law))
 
 
-def slowing(scene: Scene, row: int, then: Motion) -> Iterator[Need]:
+def slowing(scene: Scene, row: int, then: Motion) -> Iterator[RateBound]:
     """Yield the rates that laws need because they change with the velocity of a body.
 
     The speed is that of the body, or the one to which the other forces would drive it against the
@@ -120,7 +120,7 @@ def slowing(scene: Scene, row: int, then: Motion) -> Iterator[Need]:
             motion = _driven(scene, law, row, Instant.of(then))
             nudge = NUDGE * max(float(np.hypot(*motion.velocity[row])), PROBE)
             slope = _slope(scene, law, row, motion, "velocity", nudge)
-            yield Need(just_stable(0.0, slope), called(scene, law))
+            yield RateBound(just_stable(0.0, slope), called(scene, law))
 
 
 def _driven(scene: Scene, law: Law, row: int, motion: Instant) -> Instant:

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.guarding.lost_bodies import Lost
+from sandbox.physics.engine.space_arrays import Contacts
+from sandbox.physics.guarding.lost_bodies import FreeFallWatch
 from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array)
         if touching or scene.laws or scene.turns or run.level.joints:
             watch = _watchdog(run, now, contacts)
         else:
-            watch = Lost(scene, run.stepping, now)
+            watch = FreeFallWatch(scene, run.stepping, now)
         watch.look(now, contacts, begun, disturbed=True)
     return watch
 

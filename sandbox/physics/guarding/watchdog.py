@@ -15,9 +15,10 @@ import numpy as np
 from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.contacts.detection.pair_limit import crowded, most_pairs
-from sandbox.physics.engine.batch import Contacts, Integers
+from sandbox.physics.engine.space_arrays import Contacts, Integers
+from sandbox.physics.guarding.body_thickness import thickness
 from sandbox.physics.guarding.energy_audit import Audit
 from sandbox.physics.guarding.energy_gain import Gains
 from sandbox.physics.guarding.lost_bodies import (
@@ -27,8 +28,7 @@ from sandbox.physics.guarding.lost_bodies import (
     refuse_lost,
     stop,
 )
-from sandbox.physics.guarding.rate_limits import Need, called, slowing, steepness
-from sandbox.physics.guarding.thickness import thickness
+from sandbox.physics.guarding.rate_limits import RateBound, called, slowing, steepness
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import MARGIN, limit
 from sandbox.physics.state.errors import SimulationError
@@ -300,7 +300,7 @@ class Watchdog:
         needed = MARGIN * worst.rate
         return Message(": {subject} changes too fast for a step", subject=worst.subject), needed
 
-    def _blamed(self, row: int) -> list[Need]:
+    def _blamed(self, row: int) -> list[RateBound]:
         """Return the needs above the present rate, including a margin.
 
         Forces that depend on positions are checked in all recent states. Forces that grow with

@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.joints import (
     AngleStop,
     Gear,
@@ -27,10 +27,10 @@ from sandbox.model.joints import (
 )
 from sandbox.model.shapes import evaluate
 from sandbox.model.wires import along
-from sandbox.physics.geometry.quintic_interpolation import course
-from sandbox.physics.joints.exact.angles import (
-    Meshed,
-    Turn,
+from sandbox.physics.geometry.quintic_curve import course
+from sandbox.physics.joints.exact.angle_equations import (
+    AngleEquation,
+    RackEquation,
     angle_stops,
     number,
     pin,
@@ -42,7 +42,7 @@ from sandbox.physics.joints.exact.angles import (
 )
 from sandbox.physics.joints.exact.bead_on_wire import WireEquation
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation
-from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.anchor import Anchor
 
@@ -110,11 +110,11 @@ class JointEquations:
             case Gear(ratio=ratio, carrier=carrier):
                 arm = Anchor(None if carrier is None else self._index[carrier])
                 bodies, other = (number(a), number(b)), number(arm)
-                held = Turn(name, *bodies, 0.0, ratio=ratio(values), carrier=other)
+                held = AngleEquation(name, *bodies, 0.0, ratio=ratio(values), carrier=other)
                 return [], (starting(held, start),) if self.can_turn(a, b, arm) else ()
             case Rack(radius=radius, direction=direction):
                 along = complex(*evaluate(direction, values))
-                bar = Meshed(name, a, number(b), radius(values), along / abs(along))
+                bar = RackEquation(name, a, number(b), radius(values), along / abs(along))
                 return [], (starting(bar, start),)
             case Winding(radius=radius, unwinds=way):
                 radii[name] = radius(values)

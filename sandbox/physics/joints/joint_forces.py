@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.pulley import PulleyString
 
 
-class Pulls(NamedTuple):
+class JointForces(NamedTuple):
     """The forces of exact joints in a kick; m equations, n bodies."""
 
     jacobian: Array
@@ -27,7 +27,7 @@ class Pulls(NamedTuple):
     joints: NDArray[np.str_]
     """(m,), the names of their joints."""
 
-    def slack_before(self, last: "Pulls", first: "Pulls") -> Booleans:
+    def slack_before(self, last: "JointForces", first: "JointForces") -> Booleans:
         """Return which of these did not pull in one of two earlier kicks: (m,).
 
         Equations that did not exist then count as not slack.
@@ -37,7 +37,7 @@ class Pulls(NamedTuple):
         slack = {row for one in (last, first) for row in one.numbered(one.tension <= 0)}
         return np.array([row in slack for row in self.numbered()], dtype=bool)
 
-    def new(self, last: "Pulls") -> Booleans:
+    def new(self, last: "JointForces") -> Booleans:
         """Return which of these did not exist in the last kick: (m,)."""
         if np.array_equal(last.joints, self.joints):
             return np.zeros(len(self.joints), dtype=bool)
@@ -54,7 +54,7 @@ class Pulls(NamedTuple):
         return found if which is None else [found[i] for i in np.flatnonzero(which)]
 
 
-def pulls_of(joints: Joints, count: int) -> Pulls:
+def pulls_of(joints: Joints, count: int) -> JointForces:
     """Return the forces of the exact joints in the last kick on all `count` bodies."""
     parts = [
         _of_string(name, string, [joints.paths[name][end].body for end in (0, -1)], count)
@@ -63,26 +63,30 @@ def pulls_of(joints: Joints, count: int) -> Pulls:
     if together := joints.together:
         names = np.array(together.names, dtype=str)
         parts.append(
-            Pulls(
+            JointForces(
                 together.jacobian(), together.tension, together.pulls_only, together.changes, names
             )
         )
     if not parts:
         none = np.zeros(0, dtype=bool)
-        return Pulls(np.zeros((0, count, 3)), np.zeros(0), none, none, np.zeros(0, dtype=str))
-    return Pulls(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+        return JointForces(np.zeros((0, count, 3)), np.zeros(0), none, none, np.zeros(0, dtype=str))
+    return JointForces(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def _of_string(name: str, string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
+def _of_string(
+    name: str, string: PulleyString, rows: Sequence[int | None], count: int
+) -> JointForces:
     jacobian = np.zeros((1, count, 3))
     for row, direction in zip(rows, string.jacobian(), strict=True):
         if row is not None:
             jacobian[0, row, :2] += direction
     named = np.array([name], dtype=str)
-    return Pulls(jacobian, np.array([string.tension]), np.array([True]), np.array([False]), named)
+    return JointForces(
+        jacobian, np.array([string.tension]), np.array([True]), np.array([False]), named
+    )
 
 
-class Pull(NamedTuple):
+class JointForce(NamedTuple):
     """The force of a joint on one body in the last kick."""
 
     joint: str
@@ -90,7 +94,7 @@ class Pull(NamedTuple):
     """The force, and the torque about the body's centre of mass [N, N m]."""
 
 
-def pulls_on(joints: Joints, row: int, count: int) -> Iterator[Pull]:
+def pulls_on(joints: Joints, row: int, count: int) -> Iterator[JointForce]:
     """Yield the force of each exact joint on the body `row` of all `count` bodies."""
     for name, string in joints.strings.items():
         one = _of_string(name, string, [joints.paths[name][end].body for end in (0, -1)], count)
@@ -102,6 +106,6 @@ def pulls_on(joints: Joints, row: int, count: int) -> Iterator[Pull]:
             yield _on(name, row, jacobians[rows], together.tension[rows])
 
 
-def _on(joint: str, row: int, jacobian: Array, tension: Array) -> Pull:
+def _on(joint: str, row: int, jacobian: Array, tension: Array) -> JointForce:
     x, y, torque = (-tension @ jacobian[:, row]).tolist()
-    return Pull(joint, (x, y, torque))
+    return JointForce(joint, (x, y, torque))

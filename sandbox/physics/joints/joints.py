@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.state.motion import Motion
 from sandbox.physics.state.snapshot import Snapshot
 

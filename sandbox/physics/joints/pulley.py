@@ -25,8 +25,8 @@ from math import fsum, hypot
 
 import pymunk
 
-from sandbox.model.message import Message
 from sandbox.model.shapes import XY
+from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.private_handles import Pair
 from sandbox.physics.state.errors import JointFailure
 from sandbox.physics.state.kick import Kick

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pymunk
 
-from sandbox.physics.engine.batch import Contacts, Integers
+from sandbox.physics.engine.space_arrays import Contacts, Integers
 
 if TYPE_CHECKING:
     from sandbox.model.shapes import XY

@@ -12,12 +12,12 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
-from sandbox.physics.contacts.coefficients.static_friction import Freed
-from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting
+from sandbox.physics.contacts.coefficients.static_friction import BreakawayImpulse
+from sandbox.physics.engine.space_arrays import Contacts
+from sandbox.physics.measuring.free_body import FRICTION, NORMAL, AppliedForce
 
 
-class Press(NamedTuple):
+class ContactForce(NamedTuple):
     """The forces of a contact on a body."""
 
     row: int
@@ -31,7 +31,7 @@ class Press(NamedTuple):
     """(2,), from the middle to one of two contact points, if the force may act anywhere between
     them [m]."""
 
-    def acting(self, by: str, center: XY) -> Iterator[Acting]:
+    def acting(self, by: str, center: XY) -> Iterator[AppliedForce]:
         """Yield the two forces on a body, given its centre of mass [m]."""
         for name, (x, y, torque) in ((NORMAL, self.normal), (FRICTION, self.friction)):
             force, square = (float(x), float(y)), float(x * x + y * y)
@@ -39,12 +39,12 @@ class Press(NamedTuple):
                 arm = self.at - center
                 off = (torque - (arm[0] * y - arm[1] * x)) / square  # offset of the line of action
                 foot = float(arm[0] + off * y), float(arm[1] - off * x)
-                yield Acting.of(name, by, force, float(torque), center, foot)
+                yield AppliedForce.of(name, by, force, float(torque), center, foot)
 
 
 def presses(
     contacts: Contacts, wrenches: Array | None, row: int, place: Array, length: float
-) -> Iterator[Press]:
+) -> Iterator[ContactForce]:
     """Yield the forces of each of the k contacts on a body in a kick of some length [s].
 
     `wrenches` are the normal and friction impulses on the body [N s, N m s], (2, k, 3), if known
@@ -63,16 +63,16 @@ def presses(
             half = (points[1] - at) if both else np.zeros(2)
             at = contacts.on_surfaces(_middles(contacts))[pair, second]
             normal, friction = _parts(contacts, pair, (2 * second - 1) / length, at - place)
-        yield Press(int(contacts.bodies[pair, 1 - second]), normal, friction, at, half)
+        yield ContactForce(int(contacts.bodies[pair, 1 - second]), normal, friction, at, half)
 
 
 def loosened(
-    found: Sequence[Press],
-    freed: Iterable[tuple[int, Freed]],
+    found: Sequence[ContactForce],
+    freed: Iterable[tuple[int, BreakawayImpulse]],
     row: int,
     place: Array,
     length: float,
-) -> Sequence[Press]:
+) -> Sequence[ContactForce]:
     """Return the contacts with the friction that is left where one broke loose within the kick.
 
     pymunk does not know that its friction was lowered after it. `freed` has the index of the other
@@ -90,7 +90,7 @@ def loosened(
     return left
 
 
-def settled(found: Sequence[Press], missing: float) -> Sequence[Press]:
+def settled(found: Sequence[ContactForce], missing: float) -> Sequence[ContactForce]:
     """Return the contacts with their forces moved along the sides that they act on.
 
     Together they then supply the missing torque [N m]. Each force is moved as little as possible,

@@ -10,7 +10,7 @@ IMPACT, NORMAL, FRICTION, HAND = "impact", "normal force", "friction", "hand"
 """The names of forces that come neither from an effect nor from a joint."""
 
 
-class Acting(NamedTuple):
+class AppliedForce(NamedTuple):
     """A force on a body."""
 
     name: str
@@ -27,7 +27,7 @@ class Acting(NamedTuple):
     @classmethod
     def of(
         cls, name: str, by: str, force: XY, torque: float, center: XY, arm: XY | None
-    ) -> "Acting":
+    ) -> "AppliedForce":
         """Return a force with a given torque about the centre of mass [N m].
 
         It acts at the end of a lever arm from there [m]; without one, at the point of its line of
@@ -68,7 +68,7 @@ class FreeBody:
     """Mass and moment of inertia at that time [kg, kg m²]; the moment is 0 if it cannot rotate."""
     center: XY
     """The centre of mass [m]."""
-    forces: tuple[Acting, ...]
+    forces: tuple[AppliedForce, ...]
     """The forces on it, without those that are zero."""
     acceleration: XY
     angular_acceleration: float

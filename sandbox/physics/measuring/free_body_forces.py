@@ -29,14 +29,14 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.contacts.coefficients.static_friction import Freed
+from sandbox.physics.contacts.coefficients.static_friction import BreakawayImpulse
 from sandbox.physics.energy.step_record import StepRecord
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.forces.declared_laws import one_by_one
-from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.joints.joint_forces import pulls_on
-from sandbox.physics.measuring.contact_forces import Press, loosened, presses, settled
-from sandbox.physics.measuring.free_body import HAND, IMPACT, Acting, FreeBody
+from sandbox.physics.measuring.contact_forces import ContactForce, loosened, presses, settled
+from sandbox.physics.measuring.free_body import HAND, IMPACT, AppliedForce, FreeBody
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.motion import Instant, Motion
 from sandbox.physics.stepping.world import World
@@ -52,7 +52,7 @@ class FreeBodies:
         self._world, self._scene, level = world, world.scene, world.level
         self._names = list(world.scene.bodies)
         scene = world.scene
-        given = Given(
+        given = LawInputs(
             level, world.values, self._names, scene.mass, scene.share, world.dt, scene.switches
         )
         self._laws = list(one_by_one(level.effects, given))
@@ -94,12 +94,12 @@ class FreeBodies:
         mass, moment = float(scene.mass[row]) * share, float(scene.moment[row]) * share
         return _Kick(row, step, seen, (x, y), mass, moment, rates)
 
-    def _known(self, kick: "_Kick") -> Iterator[Acting]:
+    def _known(self, kick: "_Kick") -> Iterator[AppliedForce]:
         """Yield the forces of gravity, laws, joints and sequential impacts."""
         scene, row, center = self._scene, kick.row, kick.center
         if gravity := scene.gravity:
             x, y = gravity.acceleration
-            yield Acting(gravity.effect.called, "", (kick.mass * x, kick.mass * y), center)
+            yield AppliedForce(gravity.effect.called, "", (kick.mass * x, kick.mass * y), center)
         for entry, law in self._laws:
             at = getattr(entry, "at", None)
             arm = _turned(evaluate(at, self._world.values), kick) if at else None
@@ -108,31 +108,31 @@ class FreeBodies:
         if (turned := kick.step.turned) is not None:
             x, y = (kick.mass * turned[row]).tolist()
             name = ", ".join(turn.effect.called for turn in scene.turns)
-            yield Acting(name, "", (x, y), center)
+            yield AppliedForce(name, "", (x, y), center)
         for name, spring in scene.joints.springs.items():
             acting = self._by_law(kick, spring, _arm(spring.ends, kick))
             yield acting._replace(name=self._called(name), by=name)
         for joint, (x, y, torque) in pulls_on(scene.joints, row, len(self._names)):
             wound = joint in scene.joints.radii  # a string leaves its wheel at the rim
             arm = None if wound else _arm(scene.joints.paths.get(joint, ()), kick)
-            yield Acting.of(self._called(joint), joint, (x, y), torque, center, arm)
+            yield AppliedForce.of(self._called(joint), joint, (x, y), torque, center, arm)
         if (jump := kick.step.jump) is not None:
             x, y, spin = (jump[row] / kick.length).tolist()
             force = kick.mass * x, kick.mass * y
-            yield Acting.of(IMPACT, "", force, kick.moment * spin, center, None)
+            yield AppliedForce.of(IMPACT, "", force, kick.moment * spin, center, None)
 
-    def _by_law(self, kick: "_Kick", law: Law, arm: XY | None) -> Acting:
+    def _by_law(self, kick: "_Kick", law: Law, arm: XY | None) -> AppliedForce:
         wrench = np.zeros((len(self._names), 3))
         law.add(kick.seen, wrench)
         x, y, torque = wrench[kick.row].tolist()
-        return Acting.of(law.effect.called, "", (x, y), torque, kick.center, arm)
+        return AppliedForce.of(law.effect.called, "", (x, y), torque, kick.center, arm)
 
     def _called(self, joint: str) -> str:
         """Return the name of a joint's force; the joint of bodies that stuck has no name."""
         known = self._world.level.joints.get(joint)
         return known.kind.pull if known else "reaction"
 
-    def _pressing(self, kick: "_Kick", known: Sequence[Acting]) -> Sequence[Press]:
+    def _pressing(self, kick: "_Kick", known: Sequence[AppliedForce]) -> Sequence[ContactForce]:
         direct, contacts = self._scene.direct, kick.contacts
         wrenches = direct.wrenches(kick.row) if direct else None
         center = np.array(kick.center)
@@ -144,14 +144,16 @@ class FreeBodies:
         torque += sum(float(press.normal[2] + press.friction[2]) for press in found)
         return settled(found, kick.moment * float(kick.rates[2]) - torque)
 
-    def _freed(self, row: int) -> Iterator[tuple[int, Freed]]:
+    def _freed(self, row: int) -> Iterator[tuple[int, BreakawayImpulse]]:
         """Yield what contacts lost that broke loose, each with the index of the other body."""
         for pair, stick in self._scene.sticking.items():
             if row in pair:
                 (other,) = pair - {row}
                 yield from ((other, lost) for lost in stick.freed.values())
 
-    def _rest(self, body: str, kick: "_Kick", known: Sequence[Acting]) -> Sequence[Acting]:
+    def _rest(
+        self, body: str, kick: "_Kick", known: Sequence[AppliedForce]
+    ) -> Sequence[AppliedForce]:
         """Return the remaining force, of pymunk's own joints and a hand."""
         pulling = [name for name, bodies in self._own.items() if body in bodies]
         held = kick.step.hold is not None and kick.step.hold[0] == kick.row
@@ -161,7 +163,7 @@ class FreeBodies:
         rest = x - sum(a.force[0] for a in known), y - sum(a.force[1] for a in known)
         torque = kick.moment * float(kick.rates[2]) - sum(a.torque(kick.center) for a in known)
         name = " and ".join([*([HAND] if held else []), *(["reaction"] if pulling else [])])
-        return (Acting.of(name, ", ".join(pulling), rest, torque, kick.center, None),)
+        return (AppliedForce.of(name, ", ".join(pulling), rest, torque, kick.center, None),)
 
 
 class _Kick(NamedTuple):
@@ -224,7 +226,7 @@ def _arm(path: Sequence[Anchor], kick: _Kick) -> XY | None:
     return float(arm.real), float(arm.imag)
 
 
-def _along(touching: Sequence[Press]) -> tuple[XY, ...]:
+def _along(touching: Sequence[ContactForce]) -> tuple[XY, ...]:
     """Return the directions along surfaces, that with the largest normal force first."""
     sizes = [(float(np.hypot(*press.normal[:2])), press) for press in touching]
     hardest = sorted((each for each in sizes if each[0]), key=lambda each: -each[0])

@@ -15,7 +15,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import pairs_of
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.stepping.world import World
 
 SUDDEN = 2.0

@@ -10,12 +10,12 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured
 from sandbox.model.measuring_instants import MOST_MEETINGS, Passage, crossed
-from sandbox.model.message import Message
 from sandbox.model.quantities import TIME, base, quantity
+from sandbox.model.translatable_message import Message
 from sandbox.optional_packages import needed_for
 from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.measuring.running_aggregates import over_time
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.errors import SimulationError
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-    from sandbox.physics.guarding.rate_limits import Need
+    from sandbox.physics.guarding.rate_limits import RateBound
 
 Met = TypeVar("Met")
 
@@ -70,7 +70,7 @@ class Trace:
     """Whether the forces on bodies at rest at the start were not found: a pile may then lean."""
     closing: Closing | None = None
     """How its energy books closed; None if none were kept."""
-    unseen: "tuple[Need, ...]" = ()
+    unseen: "tuple[RateBound, ...]" = ()
     """What may have passed through others within a step, with the rates at which it would not."""
 
     @property
@@ -289,7 +289,7 @@ class Recorder:
             unseen=self._unseen(),
         )
 
-    def _unseen(self) -> "tuple[Need, ...]":
+    def _unseen(self) -> "tuple[RateBound, ...]":
         """Return what moved further than its own width in a step, where only steps see impacts."""
         world, contact = self._world, self._world.level.effects.contact
         if not (contact and _steps_see_impacts(world)):

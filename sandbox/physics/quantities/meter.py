@@ -9,9 +9,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.quantities import COUNT, WITHIN, Component, Quantity, QuantityError, quantity
 from sandbox.model.shapes import evaluate
+from sandbox.model.translatable_message import Message
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.motion import kinetic_energy

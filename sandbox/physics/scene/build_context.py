@@ -7,7 +7,7 @@ import pymunk
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.engine.batch import Batch
+from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.joints.joints import Joints
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ class Pairs(NamedTuple):
     gates: "Gates | None" = None
 
 
-class Made(NamedTuple):
+class BuildContext(NamedTuple):
     """The fields of a scene that are needed to make the solver of contacts; see `Scene`."""
 
     level: Level

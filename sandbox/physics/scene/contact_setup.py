@@ -4,13 +4,13 @@ from typing import TYPE_CHECKING
 
 import pymunk
 
-from sandbox.model.collision_filter import apart
+from sandbox.model.excluded_pairs import apart
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping, is_direct
 from sandbox.physics.contacts.coefficients.solver_coefficients import (
+    add_skin,
     correct_contacts,
     give_coefficients,
-    stand_proud,
     take_bounces,
 )
 from sandbox.physics.contacts.detection.pair_limit import (
@@ -31,10 +31,10 @@ from sandbox.physics.contacts.shapes.pymunk_shapes import (
 )
 from sandbox.physics.engine.broadphase import choose_broad_phase
 from sandbox.physics.joints.welded_bodies import Touches
-from sandbox.physics.scene.build_context import Made, Pairs
+from sandbox.physics.scene.build_context import BuildContext, Pairs
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.solver import Direct
+    from sandbox.physics.contacts.direct.solver import DirectSolver
     from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
     from sandbox.physics.contacts.shapes.one_way import Gates
 
@@ -64,7 +64,7 @@ def make_contacts(
     if sequence or direct:
         bounces = take_bounces(space, level, values) if sequence else None
         if not sequence:
-            stand_proud(space)
+            add_skin(space)
         count = correct_contacts(space, level, hollows, gates)
         pairs = Pairs(count, {}, bounces, reach, hollows, gates)
     else:
@@ -129,14 +129,14 @@ def _skin(*, ours: bool, direct: bool) -> float:
     return DIRECT_SKIN if direct else SKIN
 
 
-def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
+def make_direct(made: BuildContext, pairs: Pairs) -> "DirectSolver | None":
     """Make the direct solver of contacts and exact joints, if the level uses it."""
     level, stepping = made.level, made.stepping
     if stepping.is_stock or not is_direct(level, stepping):
         return None
     from sandbox.physics.contacts.detection.contact_queries import Query
-    from sandbox.physics.contacts.direct.rows.surfaces import surfaces_of
-    from sandbox.physics.contacts.direct.solver import Direct
+    from sandbox.physics.contacts.direct.rows.contact_properties import surfaces_of
+    from sandbox.physics.contacts.direct.solver import DirectSolver
 
     assert made.joints.together
     bodies = list(made.bodies.values())
@@ -145,10 +145,10 @@ def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
     query = Query(bodies[0].space, bodies, pairs.hollows, pairs.gates)
     dt = 1 / stepping.rate
     made.batch.solved_by_pymunk = False
-    return Direct(made.batch, made.joints.together, surfaces, made.inertia, dt, query)
+    return DirectSolver(made.batch, made.joints.together, surfaces, made.inertia, dt, query)
 
 
-def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
+def make_sequence(made: BuildContext, restitution: Array | None) -> "Sequential | None":
     """Make the solver of impacts in sequence, if there are coefficients for it."""
     if restitution is None:
         return None

@@ -13,18 +13,18 @@ import pymunk
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping, is_direct
-from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
+from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.forces.declared_laws import gravity, laws, mass_share
 from sandbox.physics.forces.gravity import Gravity
-from sandbox.physics.forces.law import Given, Law, Turn
+from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
 from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.joints.joints import Joints
-from sandbox.physics.scene.build_context import Made, Pairs
+from sandbox.physics.scene.build_context import BuildContext, Pairs
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.coefficients.static_friction import Sticking
-    from sandbox.physics.contacts.direct.solver import Direct
+    from sandbox.physics.contacts.direct.solver import DirectSolver
     from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
     from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
     from sandbox.physics.contacts.shapes.one_way import Gates
@@ -62,7 +62,7 @@ class Scene:
     """The solver of impacts in sequence; None if the level does not use it."""
     reach: float
     """The distance from the origin within which pymunk finds pairs [m]."""
-    direct: "Direct | None"
+    direct: "DirectSolver | None"
     """The solver of contacts together with exact joints; None if pymunk solves contacts."""
     hollows: "Hollows | None"
     """The arcs, and the hoops that may have bodies inside; None if there are none."""
@@ -73,7 +73,7 @@ class Scene:
     """Uniform gravity, which pymunk applies, and the force laws."""
     hooked: tuple[Law, ...]
     """The laws that need a hook: all but the springs that pymunk applies."""
-    turns: tuple[Turn, ...]
+    turns: tuple[VelocityRotation, ...]
     """The laws that turn velocities, and do no work."""
     switches: "Switches"
     """The switches of forces that events turn on and off, by name."""
@@ -96,9 +96,9 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     batch = Batch(space, list(bodies.values()))
     joints = _make_joints(level, values, stepping, bodies, batch, inverse_mass, pairs)
     switches = _make_switches(level, joints)
-    given = Given(level, values, list(bodies), mass, share, 1 / stepping.rate, switches)
+    given = LawInputs(level, values, list(bodies), mass, share, 1 / stepping.rate, switches)
     forces, turns = laws(level.effects, given)
-    made = Made(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
+    made = BuildContext(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
     solver, sequence = _solvers(made, pairs)
     hooked = _hooked(made, forces, turns, share)
     return Scene(
@@ -138,12 +138,12 @@ def _make_space(
 
 
 def _hooked(
-    made: Made, forces: tuple[Law, ...], turns: tuple[Turn, ...], share: Share
+    made: BuildContext, forces: tuple[Law, ...], turns: tuple[VelocityRotation, ...], share: Share
 ) -> tuple[Law, ...]:
     """Return the laws that are called in each step; refuse a rate that is too low for any."""
     if not (made.joints.springs or forces or turns):
         return forces
-    from sandbox.physics.scene.springs import check_rate, hooked_springs
+    from sandbox.physics.scene.pymunk_springs import check_rate, hooked_springs
 
     check_rate(made, forces, turns)
     return (*forces, *hooked_springs(made, share))
@@ -188,7 +188,7 @@ def _make_joints(
     contact = level.effects.contact
     if not (level.joints or contact or level.effects.sticking):
         return Joints()
-    from sandbox.physics.joints.assembly import assemble
+    from sandbox.physics.joints.make_joints import assemble
     from sandbox.physics.scene.contact_setup import touches_of
 
     space = next(iter(bodies.values())).space
@@ -211,7 +211,7 @@ def _make_switches(level: Level, joints: Joints) -> "Switches":
     return make_switches(level, joints)
 
 
-def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | None]":
+def _solvers(made: BuildContext, pairs: Pairs) -> "tuple[DirectSolver | None, Sequential | None]":
     """Make the solvers of contacts and of impacts in sequence; None where pymunk solves them."""
     if not made.level.effects.contact:
         return None, None

@@ -6,8 +6,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.json_positions import Path
-from sandbox.model.message import Message
-from sandbox.physics.forces.law import Law, Turn
+from sandbox.model.translatable_message import Message
+from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.joints.exact.joint_failures import SINGULAR
 from sandbox.physics.joints.joints import Joints
@@ -52,7 +52,7 @@ def check_drag(
         raise _refused(names[row], cause, needed, rate, ("effects", law.effect.name))
 
 
-def check_turn(turn: Turn, names: Sequence[str], start: Motion, rate: float) -> None:
+def check_turn(turn: VelocityRotation, names: Sequence[str], start: Motion, rate: float) -> None:
     """Refuse a law that turns velocities by more than 2 rad in a step, as the limit of springs.
 
     There a circle is too large by a fifth. See `check_drag` for the parameters.

@@ -6,7 +6,7 @@ from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path
 from sandbox.model.level import HIGHEST_RATE, Level
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 
 
 def way_out(needed: float, rate: float) -> Message:

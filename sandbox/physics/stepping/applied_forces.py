@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Kick

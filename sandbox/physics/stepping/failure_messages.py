@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import NOTHING, Message
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import TooMuch
-from sandbox.physics.contacts.impacts.endless_impacts import EndlessImpacts
+from sandbox.model.translatable_message import NOTHING, Message
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import SystemTooLarge
+from sandbox.physics.contacts.impacts.endless_impacts_error import EndlessImpacts
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import (
     BreakdownError,
@@ -37,7 +37,7 @@ def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) ->
         case EndlessImpacts():
             body = bodies[error.body]
             return SimulationError(body, t, error.told(body))
-        case TooMuch():
+        case SystemTooLarge():
             return SimulationError(bodies[error.body], t, error.reason)
         case _:
             return BreakdownError(error, t)

@@ -10,7 +10,7 @@ half-way between; the velocity *at* a step is the mean of the two around it.
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import NO_CONTACTS
+from sandbox.physics.engine.space_arrays import NO_CONTACTS
 from sandbox.physics.stepping.observer import Observation, Observer
 from sandbox.physics.stepping.stage import Setup, Stages
 

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model.acting_events import Crossing, Happening, loads
+from sandbox.model.acting_events import Crossing, SingleEvent, loads
 from sandbox.model.expressions import Array
-from sandbox.physics.events.joint_breaking import SUDDEN
+from sandbox.physics.events.breaking_at_impact import SUDDEN
 from sandbox.physics.events.switching_events import NEAR, Part, crosses, within
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.motion import Instant
@@ -20,19 +20,19 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Between
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import KickBetweenParts
 
 Value = Callable[[str, float], float]
 """Returns a quantity, by name, at a time after the start of a part [s]."""
 
 
-class Waiting:
+class EventFinder:
     """Finds the events in a drift; j joints.
 
     `pending` are the events still to happen, by name; the caller removes those that have happened.
     """
 
-    def __init__(self, setup: Setup, pending: Mapping[str, Happening]) -> None:
+    def __init__(self, setup: Setup, pending: Mapping[str, SingleEvent]) -> None:
         level, self._scene, self._dt = setup.level, setup.scene, setup.kicks.clock.dt
         self._pending = pending
         self._meter = Meter(setup, {h.waits.quantity for h in pending.values()} - {"t"})
@@ -80,7 +80,7 @@ class Waiting:
                 first, soonest = name, (wait, -load, number)
         return None if first is None else (first, soonest[0])
 
-    def pass_by(self, part: Part, landings: "Sequence[Between]") -> None:
+    def pass_by(self, part: Part, landings: "Sequence[KickBetweenParts]") -> None:
         """Note which quantities cross their values in a drift with landings, and perhaps return.
 
         The first and the last of the landings are only corrections of the kicks around the drift.
@@ -97,7 +97,7 @@ class Waiting:
                 self._was[name] = seen[-1]
 
     @staticmethod
-    def _there(start: Snapshot, landing: "Between") -> Snapshot:
+    def _there(start: Snapshot, landing: "KickBetweenParts") -> Snapshot:
         """Return the state at a landing, with the forces at the start of its drift."""
         motion = Instant.at(float(start.t), landing.place, landing.stage.velocity)
         return replace(start, **motion._asdict())

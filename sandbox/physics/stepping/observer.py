@@ -1,7 +1,7 @@
 """The observer: the state at a step, from the velocities half a kick before and after it.
 
 The velocity at a step is the mean of the two, and the acceleration their difference over the kick.
-For bodies that collide the mean is wrong (see `post_impact_velocity` and `sequential_impacts`). If
+For bodies that collide the mean is wrong (see `impact_step_velocity` and `sequential_impacts`). If
 a step has several kicks, the joints determine velocity and acceleration (see `rattle`).
 """
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup, Stages
@@ -131,7 +131,7 @@ class Observer:
         self, state: Array, before: Array, contacts: Contacts, rates: tuple[Array, Array]
     ) -> None:
         """Correct the velocities and accelerations of bodies that collided in pymunk's kick."""
-        from sandbox.physics.contacts.impacts.post_impact_velocity import impacts
+        from sandbox.physics.contacts.impacts.impact_step_velocity import impacts
 
         (velocity, acceleration), after = rates, state[:, 3:]
         scene, smooth, dt = self._scene, self._forces.smooth, self._kicks.clock.dt

@@ -72,7 +72,10 @@ class Settling:
         close = 1e-15 * float(pulled or np.abs(kick.start).max(initial=0.0))
         near = UNSETTLED * close
         if self._placed:
-            from sandbox.physics.contacts.direct.solving.rounding import left_of_places, spread
+            from sandbox.physics.contacts.direct.solving.rounding_residual import (
+                left_of_places,
+                spread,
+            )
 
             left = left_of_places(self._batch.state()[:, :3], self._bodies, kick.drift)
             near = max(near * spread(self._bodies), left)

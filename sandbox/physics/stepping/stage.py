@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Work
 from sandbox.physics.stepping.applied_forces import Forces

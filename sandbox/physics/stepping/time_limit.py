@@ -8,7 +8,7 @@ step.
 from contextlib import AbstractContextManager
 from time import perf_counter, thread_time
 
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.state.cancellation import cancellable
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
@@ -20,7 +20,7 @@ LONGEST = 30.0
 HINT = Message("reduce the bodies that touch or are joined, or the 'iterations'")
 
 
-class Patience:
+class TimeLimit:
     """The patience with a run: lost if one step computes too long, or two in a row take too long.
 
     A single step may have been delayed by the machine, or because the process was suspended.

@@ -11,7 +11,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.guarding.watch_choice import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot

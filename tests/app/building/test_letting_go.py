@@ -5,7 +5,7 @@ import json
 import pytest
 
 from sandbox.app.building.drafts import Drafts
-from sandbox.app.building.partial_level import Readings, Sketch, _body
+from sandbox.app.building.partial_level import PartCache, PartialLevel, _body
 from sandbox.editing.draft import Draft
 from sandbox.model import level_catalog
 from sandbox.model.body import Body
@@ -54,7 +54,7 @@ def test_what_was_changed_stays_with_its_steps_but_is_not_held_as_a_level(undone
 
 
 def test_parts_are_read_once_and_let_go_with_the_scene_after_next() -> None:
-    readings = Readings(Body.model_validate_json)
+    readings = PartCache(Body.model_validate_json)
     readings.begin()
     one = readings(disc(1))
     readings.begin()
@@ -69,6 +69,6 @@ def test_parts_are_read_once_and_let_go_with_the_scene_after_next() -> None:
 
 def test_a_scene_that_is_drawn_again_and_again_holds_its_own_parts() -> None:
     for x in range(50):
-        Sketch({"bodies": {"disc": json.loads(disc(x)), "other": json.loads(disc(-1))}})
+        PartialLevel({"bodies": {"disc": json.loads(disc(x)), "other": json.loads(disc(-1))}})
 
     assert len(_body) == 3

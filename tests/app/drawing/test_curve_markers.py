@@ -5,7 +5,7 @@ from itertools import combinations
 import pygame
 import pytest
 
-from sandbox.app import legend
+from sandbox.app import run_legend
 from sandbox.app.drawing import curve_markers, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import energy_graph
@@ -37,8 +37,8 @@ def test_the_lanes_are_dashed_each_in_a_way_of_its_own(pen: Pen) -> None:
     for lane in range(len(theme.LANES)):
         surface = pygame.Surface((300, 300))
         told = [(None, "this")] + [(theme.STAGE, "that")] * lane + [(theme.TEXT, "that")]
-        legend.draw(surface, pen, told)
-        y = legend.CORNER[1] + legend.PADDING
+        run_legend.draw(surface, pen, told)
+        y = run_legend.CORNER[1] + run_legend.PADDING
         height = pen.write("this", 14).height + 2
         line = y + (lane + 1) * height + height // 2
         rows.append(tuple(surface.get_at((x, line))[:3] == theme.TEXT for x in range(50, 80)))

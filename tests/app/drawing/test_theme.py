@@ -189,7 +189,7 @@ def test_the_bodies_and_fields_take_the_colours_of_the_theme(
 def test_a_theme_is_kept_for_the_next_window(person: Person) -> None:
     person.press(pygame.K_t, "\x14", pygame.KMOD_LCTRL)
 
-    assert preferences.Comfort().chosen.theme == "light"
+    assert preferences.WindowPreferences().chosen.theme == "light"
 
 
 @pytest.mark.parametrize("text", ["", "{", '{"theme": "pink"}', '{"size": 7}', "[]", "\0"])
@@ -197,18 +197,18 @@ def test_broken_settings_are_as_good_as_none(text: str) -> None:
     preferences.file().parent.mkdir(parents=True)
     preferences.file().write_text(text, encoding="utf-8")
 
-    assert preferences.Comfort().chosen == preferences.Preferences()
+    assert preferences.WindowPreferences().chosen == preferences.Preferences()
 
 
 def test_settings_of_a_later_version_are_kept_as_far_as_they_are_known() -> None:
     preferences.file().parent.mkdir(parents=True)
     preferences.file().write_text('{"theme": "light", "wings": 2}', encoding="utf-8")
 
-    assert preferences.Comfort().chosen.theme == "light"
+    assert preferences.WindowPreferences().chosen.theme == "light"
 
 
 def test_settings_that_cannot_be_read_are_told_once() -> None:
-    assert not preferences.Comfort().complaint()  # at a first start there are none
+    assert not preferences.WindowPreferences().complaint()  # at a first start there are none
     preferences.file().parent.mkdir(parents=True)
     preferences.file().write_text('{"theme": "lig', encoding="utf-8")
     window = Window((1280, 800))

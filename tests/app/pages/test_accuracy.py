@@ -15,7 +15,7 @@ from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.physics.accuracy import accuracy_study, calibration_cache
-from sandbox.physics.accuracy.accuracy_study import Here, Point
+from sandbox.physics.accuracy.accuracy_study import CurrentSetting, WorkPrecisionPoint
 from sandbox.physics.accuracy.trusted_digits import surviving
 from sandbox.physics.run import build
 from tests.app import scenes, work
@@ -47,7 +47,7 @@ def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> I
 def informed(player: Person) -> Person:
     """A person to whom the costs of the schemes are known, and now also the run's error."""
     studying = player.window.workers.of(Studying)
-    studying.points.append(Point("leapfrog", 60, 1e-4, 1e-3))
+    studying.points.append(WorkPrecisionPoint("leapfrog", 60, 1e-4, 1e-3))
     until(player, lambda: studying.here is not None and not studying.running)
     return player
 
@@ -316,8 +316,11 @@ def test_hooks_are_timed_only_when_it_is_asked_for_and_change_no_bit() -> None:
 
 
 def test_a_diagram_stands_on_whole_powers_of_ten(pen: Pen) -> None:
-    points = [Point("leapfrog", 60, 2e-4, 2e-3), Point("leapfrog", 120, 5e-5, 4e-3)]
-    here = Here("leapfrog", 240, 1e-5, 8e-3)
+    points = [
+        WorkPrecisionPoint("leapfrog", 60, 2e-4, 2e-3),
+        WorkPrecisionPoint("leapfrog", 120, 5e-5, 4e-3),
+    ]
+    here = CurrentSetting("leapfrog", 240, 1e-5, 8e-3)
 
     drawn = diagram.draw(pen, (278, 158), points, here)
 
@@ -334,7 +337,7 @@ def test_a_diagram_stands_on_whole_powers_of_ten(pen: Pen) -> None:
 def test_a_study_forgets_what_it_knew_of_another_run() -> None:
     studying, session = Studying(), Session(scenes.level())
     studying.follow(session, 0.0, watched=True)
-    studying._take(Here("leapfrog", 60, 1e-5, 1e-3))
+    studying._take(CurrentSetting("leapfrog", 60, 1e-5, 1e-3))
 
     studying.follow(Session(scenes.level()), 0.0, watched=False)
 

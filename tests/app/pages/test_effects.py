@@ -6,7 +6,7 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import legend
+from sandbox.app import run_legend
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
@@ -112,7 +112,7 @@ def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -
     """The differences at the end of a run often take several lines."""
     surface = pygame.Surface((600, 300))
 
-    legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], banner)
+    run_legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], banner)
 
     drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(0, 2)))
     assert drawn[0] > banner
@@ -122,7 +122,7 @@ def test_a_legend_for_which_a_banner_leaves_no_room_waits(pen: Pen) -> None:
     """It used to be cut off in the middle of a row."""
     surface = pygame.Surface((600, 300))
 
-    legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], 250)
+    run_legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], 250)
 
     assert not pygame.surfarray.array3d(surface).any()
 
@@ -132,19 +132,21 @@ def test_the_legend_tells_the_own_run_by_the_colours_of_its_bodies(pen: Pen) -> 
     surface = pygame.Surface((600, 300))
     red, blue = (239, 71, 111), (17, 138, 178)
 
-    legend.draw(surface, pen, [(None, "this run"), (theme.GHOST, "speed = 12.9")], own=[red, blue])
+    run_legend.draw(
+        surface, pen, [(None, "this run"), (theme.GHOST, "speed = 12.9")], own=[red, blue]
+    )
 
-    y = legend.CORNER[1] + legend.PADDING + (pen.write("this run", 14).height + 2) // 2
-    x = legend.CORNER[0] + legend.PADDING
+    y = run_legend.CORNER[1] + run_legend.PADDING + (pen.write("this run", 14).height + 2) // 2
+    x = run_legend.CORNER[0] + run_legend.PADDING
     assert surface.get_at((x + 3, y))[:3] == red
-    assert surface.get_at((x + legend.SWATCH - 3, y))[:3] == blue
+    assert surface.get_at((x + run_legend.SWATCH - 3, y))[:3] == blue
 
 
 def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:
     surface = pygame.Surface((370, 300))
     many = "with drag (linear 0.1), with contact, with restitution (coefficient 1)"
 
-    legend.draw(surface, pen, [(None, many), (theme.GHOST, whatif.DECLARED)])
+    run_legend.draw(surface, pen, [(None, many), (theme.GHOST, whatif.DECLARED)])
 
     drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(1, 2)))
     assert drawn[-1] < surface.width - 1

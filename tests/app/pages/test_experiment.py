@@ -10,9 +10,15 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.pages.experiment.card import nearest, span_of
-from sandbox.app.pages.experiment.chosen_curve import Exploring
 from sandbox.app.pages.experiment.panel import ExperimentPage
-from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, coarse_first, sample
+from sandbox.app.pages.experiment.parameter_curve import CurveWorker
+from sandbox.app.pages.experiment.sampling import (
+    COUNT,
+    Point,
+    SamplingRefusal,
+    coarse_first,
+    sample,
+)
 from sandbox.app.pages.graph.chosen_quantities import offered
 from sandbox.experiments import suggested_measures
 from sandbox.experiments.measures import parse
@@ -24,8 +30,8 @@ from tests.app.person import Person, until
 APEX = "ball.position.y@apex(ball)"
 
 
-def exploring(person: Person) -> Exploring:
-    return person.window.workers.of(Exploring)
+def exploring(person: Person) -> CurveWorker:
+    return person.window.workers.of(CurveWorker)
 
 
 @pytest.fixture
@@ -61,7 +67,7 @@ def test_a_measure_that_cannot_be_is_told() -> None:
 
     (refused,) = sample(level, level.defaults, "angle", "ball.positon.x@end")
 
-    assert isinstance(refused, Refused)
+    assert isinstance(refused, SamplingRefusal)
     assert "position" in refused.reason
 
 

@@ -16,7 +16,7 @@ from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.overlays import accelerations, center, forces
-from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
+from sandbox.physics.measuring.free_body import FRICTION, NORMAL, AppliedForce, FreeBody
 from tests.app import scenes
 from tests.app.person import Person
 from tests.app.writing import placed
@@ -157,7 +157,7 @@ def test_the_polygon_ends_where_the_sum_does(pen: Pen, level: str) -> None:
 @pytest.mark.sweep
 def test_a_force_that_is_rounding_beside_the_others_is_left_out() -> None:
     found = at(stepped("hard/stack-of-40-directly"))
-    faint = Acting("drag", "", (1e-12 * found.largest, 0.0), found.center)
+    faint = AppliedForce("drag", "", (1e-12 * found.largest, 0.0), found.center)
     more = FreeBody(**{f: getattr(found, f) for f in found.__slots__} | {
         "forces": (*found.forces, faint)})  # fmt: skip
 
@@ -276,7 +276,7 @@ def test_the_stage_and_the_page_tell_one_size_while_the_run_plays(
     told: list[tuple[str, ...]] = []
     texts = forces_on_selection.texts
 
-    def noted(found: FreeBody) -> Sequence[tuple[Acting, str]]:
+    def noted(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:
         told.append(tuple(text for _, text in texts(found)))
         return texts(found)
 

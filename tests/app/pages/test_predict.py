@@ -15,7 +15,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.predict import card, neglected
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.panel import PredictPage
-from sandbox.app.pages.predict.predicting import Predicting
+from sandbox.app.pages.predict.predicting import PredictionWorker
 from sandbox.app.pages.predict.questions import questions, when
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
@@ -31,8 +31,8 @@ from tests.app.person import Person, until
 AT_ONE = {"quantity": "ball.speed", "formula": "g*t", "tolerance": 1e-9, "at": 1.0}
 
 
-def predicting(person: Person) -> Predicting:
-    return person.window.workers.of(Predicting)
+def predicting(person: Person) -> PredictionWorker:
+    return person.window.workers.of(PredictionWorker)
 
 
 def until_tried(person: Person) -> None:

@@ -10,9 +10,9 @@ from sandbox.app.pages.table.stopwatch import Reading, Stopwatch
 from sandbox.app.pages.table.stopwatch_triggers import (
     AT_ONCE,
     BY_HAND,
-    Found,
     Moment,
-    Occasion,
+    StopwatchTrigger,
+    TriggerTime,
     find,
     occasions,
 )
@@ -34,7 +34,7 @@ def opened(name: str) -> tuple[Session, Stopwatch]:
     return session, stopwatch
 
 
-def called(session: Session, told: str) -> Occasion:
+def called(session: Session, told: str) -> StopwatchTrigger:
     return next(each for each in occasions(session) if each.label == told)
 
 
@@ -219,7 +219,7 @@ def test_what_has_not_happened_is_looked_for_once_a_step(
     looked: list[int] = []
     watch.choose(AT_ONCE, called(person.session, "apex of ball"))
 
-    def search(at: Moment, run: LiveRun) -> Found | None:
+    def search(at: Moment, run: LiveRun) -> TriggerTime | None:
         looked.append(run.world.steps)
         return find(at, run)
 

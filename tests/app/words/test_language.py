@@ -26,9 +26,9 @@ from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.words import language
 from sandbox.model import level_catalog
+from sandbox.model.annotated_fields import Words, prose
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
-from sandbox.model.field_marks import Words, prose
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.physics.energy.balance import Balance
@@ -188,13 +188,13 @@ def test_a_language_is_kept_for_the_next_window(person: Person) -> None:
     person.window.open_level("newton/atwood")
     choose(person, "Deutsch")
 
-    assert preferences.Comfort().language == "de"
+    assert preferences.WindowPreferences().language == "de"
 
 
 def test_until_one_is_chosen_it_is_that_of_the_system(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("LANGUAGE", "de_CH:en")
 
-    assert preferences.Comfort().language == "de"
+    assert preferences.WindowPreferences().language == "de"
 
 
 def test_a_message_without_words_is_none() -> None:

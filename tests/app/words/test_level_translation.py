@@ -10,7 +10,7 @@ import pytest
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words import language, level_translation
 from sandbox.model import level_catalog
-from sandbox.model.field_marks import prose
+from sandbox.model.annotated_fields import prose
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.app.scenes import falling

@@ -14,7 +14,7 @@ from sandbox.app.words import language
 from sandbox.cli.update_translations import said_in
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.state.errors import SimulationError, way_out
 
 MAKERS = {"Message", "word"}
@@ -27,7 +27,7 @@ OURS = re.compile("(Sandbox|Level|Expression|Simulation)Error").search
 def calls() -> Iterator[tuple[str, ast.Call]]:
     """Yield where messages are made that the window may show: errors accept no others."""
     for path in said_in(Path(sandbox.__file__).parent):
-        if path.parts[-2:] not in {("model", "message.py"), ("model", "errors.py")}:
+        if path.parts[-2:] not in {("model", "translatable_message.py"), ("model", "errors.py")}:
             for node in ast.walk(ast.parse(path.read_text("utf-8"))):
                 if isinstance(node, ast.Call) and makes_a_message(node):
                     yield f"{path.name}:{node.lineno}", node

@@ -15,9 +15,9 @@ from sandbox.editing.edits.bodies import (
     add_surface,
     take_out,
 )
-from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.edits.effects import declare
-from sandbox.editing.written_out import plain
+from sandbox.editing.expanded_level import plain
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -29,7 +29,7 @@ from tests.sample import sampled
 EMPTY = Draft.empty().text
 
 
-def loaded(made: Made) -> Level:
+def loaded(made: EditResult) -> Level:
     return parse(made.text)
 
 

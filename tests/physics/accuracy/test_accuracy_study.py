@@ -7,7 +7,14 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load, parse
 from sandbox.physics.accuracy import accuracy_study
-from sandbox.physics.accuracy.accuracy_study import Failed, Finding, Here, Point, Progress, Split
+from sandbox.physics.accuracy.accuracy_study import (
+    CurrentSetting,
+    ErrorBudget,
+    Failed,
+    Finding,
+    Progress,
+    WorkPrecisionPoint,
+)
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.compared_runs import motion, record, scaled
 from sandbox.physics.accuracy.refinement import furthest
@@ -18,8 +25,8 @@ from tests.app import scenes
 from tests.physics.scenes import small_swings
 
 
-def splits(found: list[Finding]) -> dict[int, Split]:
-    return {each.check: each for each in found if isinstance(each, Split)}
+def splits(found: list[Finding]) -> dict[int, ErrorBudget]:
+    return {each.check: each for each in found if isinstance(each, ErrorBudget)}
 
 
 def trust(found: list[Finding]) -> dict[str, Trust]:
@@ -83,7 +90,7 @@ def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
     found = list(accuracy_study.split(level, level.defaults))
 
     assert max(split.numerical for split in splits(found).values()) < 1e-9
-    (here,) = (each for each in found if isinstance(each, Here))
+    (here,) = (each for each in found if isinstance(each, CurrentSetting))
     assert true / 2 < here.error < 2 * true
 
 
@@ -95,7 +102,7 @@ def test_an_exact_run_owes_nothing_to_its_step() -> None:
     assert len(splits(found)) == 2
     assert all(split.numerical < 1e-13 for split in splits(found).values())
     assert all(split.model == 0 for split in splits(found).values())
-    (here,) = (each for each in found if isinstance(each, Here))
+    (here,) = (each for each in found if isinstance(each, CurrentSetting))
     assert (here.scheme, here.rate) == ("leapfrog", 60)
     assert here.cost > 0
 
@@ -148,7 +155,11 @@ def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
 
     found = list(accuracy_study.study(level, level.defaults))
 
-    points = [each for each in found if isinstance(each, Point) and not isinstance(each, Here)]
+    points = [
+        each
+        for each in found
+        if isinstance(each, WorkPrecisionPoint) and not isinstance(each, CurrentSetting)
+    ]
     assert {point.scheme for point in points} == {"leapfrog", "symplectic-euler", "explicit-euler"}
     for scheme in ("leapfrog", "symplectic-euler"):
         own = [point for point in points if point.scheme == scheme]

@@ -19,7 +19,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
-from sandbox.physics.accuracy import calibration, candidates, cheapest_setting, refinement_search
+from sandbox.physics.accuracy import calibration, candidates, refinement_search, setting_search
 from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.accuracy.chaos import chaotic
 from sandbox.physics.accuracy.compared_runs import (
@@ -433,7 +433,7 @@ def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     for module in (calibration, candidates):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     monkeypatch.setattr(
-        cheapest_setting, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)
+        setting_search, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)
     )
     scene = oscillator(c=1)  # no fourth order with a damper
     setting = calibrate(scene, target=1e-9)
@@ -464,10 +464,10 @@ def test_a_chaotic_motion_is_judged_by_its_energy() -> None:
 
 def test_what_has_no_scale_is_not_run_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """A chaotic scene that is judged by its energy spends a run less."""
-    monkeypatch.setattr(cheapest_setting, "record", lambda *_: pytest.fail("a run for nothing"))
+    monkeypatch.setattr(setting_search, "record", lambda *_: pytest.fail("a run for nothing"))
     energy = (Watched("system.energy"),)
 
-    assert cheapest_setting.own_run(orbit(), {}, energy) is None
+    assert setting_search.own_run(orbit(), {}, energy) is None
 
 
 def test_nothing_that_moves_has_no_accuracy() -> None:
@@ -537,7 +537,7 @@ def test_no_run_of_a_search_is_taken_twice(
         taken.append(stepping.model_copy(update={"iterations": 1}))
         return record(level, values, stepping, wanted, stop)
 
-    for module in (cheapest_setting, refinement_search):
+    for module in (setting_search, refinement_search):
         monkeypatch.setattr(module, "record", noted)
     with suppress(AccuracyError):
         calibrate(catalog_level(name), target=1e-13, budget=0.5)

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.engine.batch import NO_CONTACTS
+from sandbox.physics.engine.space_arrays import NO_CONTACTS
 from sandbox.physics.events.impact_response import Collided, Impact
 from sandbox.physics.events.joint_impacts import Jolt
-from sandbox.physics.events.switching_events import Acted
-from sandbox.physics.joints.joint_forces import Pulls
+from sandbox.physics.events.switching_events import EventEntries
+from sandbox.physics.joints.joint_forces import JointForces
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
 from tests.physics.energy.test_ledger import rest, watched
@@ -124,10 +124,10 @@ def test_no_jolt_takes_back_what_the_kick_before_it_lost(monkeypatch: pytest.Mon
     along = np.zeros((1, *begun.shape))
     along[0, 1, 0] = 1.0
     no = np.array([False])
-    pulls = Pulls(along, np.array([-1.0]), no, no, np.array(["rod"]))
+    pulls = JointForces(along, np.array([-1.0]), no, no, np.array(["rod"]))
     place = world.scene.batch.state()[:, :3]
     jolt = Jolt(world.last.t, place, begun, begun + along[0], pulls, NO_CONTACTS, elastic=False)
-    acted = Acted(begun, 0.0, (), (), np.zeros(3), 0.0, (jolt,))
+    acted = EventEntries(begun, 0.0, (), (), np.zeros(3), 0.0, (jolt,))
     monkeypatch.setattr(World, "last", world.last._replace(acted=acted))
     ledger.note()
 

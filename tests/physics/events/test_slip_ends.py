@@ -14,7 +14,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.engine.batch import Batch
+from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, pulley, run

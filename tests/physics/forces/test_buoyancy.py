@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.errors import LevelError
-from sandbox.physics.forces.buoyancy import Cornered, Round
+from sandbox.physics.forces.buoyancy import DiscOutline, PolygonOutline
 from sandbox.physics.run import build, simulate
 from tests.physics.scenes import GRAVITY, G, box, disc, level
 
@@ -24,7 +24,7 @@ def counted(inside: np.ndarray, x: np.ndarray, y: np.ndarray, cell: float) -> li
 @pytest.mark.parametrize("angle", [0.0, 0.7, 2.5])
 def test_what_an_outline_displaces_is_what_lies_below(height: float, angle: float) -> None:
     """Counted in 1,600² cells of 4 mm², to 1e-3: whole rows of them lie on the surface."""
-    outline = Cornered.of(ARROW)
+    outline = PolygonOutline.of(ARROW)
     side = np.linspace(-2, 2, 1601)[1:] - 1 / 800
     x, y = np.meshgrid(side, side)
     own = (x + 1j * y) * np.exp(-1j * angle)
@@ -46,11 +46,11 @@ def test_what_an_outline_displaces_is_what_lies_below(height: float, angle: floa
 def test_a_disc_displaces_what_a_polygon_of_many_corners_does(height: float) -> None:
     """Of 5,000: smaller by (2 π / 5000)² / 6, 2.6e-7."""
     turns = np.linspace(0, 2 * pi, 5001)[:-1]
-    many = Cornered.of(
+    many = PolygonOutline.of(
         [(float(x), float(y)) for x, y in zip(np.cos(turns), np.sin(turns), strict=True)]
     )
 
-    assert Round(1.0).displaced(np.array(height), np.array(0.0)) == pytest.approx(
+    assert DiscOutline(1.0).displaced(np.array(height), np.array(0.0)) == pytest.approx(
         many.displaced(np.array(height), np.array(0.0)), abs=1e-5
     )
 

@@ -12,7 +12,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.forces import declared_laws, velocity_rotation
-from sandbox.physics.forces.law import Given, Law, Turn
+from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Motion
@@ -38,11 +38,13 @@ class Field:
 
 
 @pytest.fixture
-def field(monkeypatch: pytest.MonkeyPatch) -> list[Turn]:
+def field(monkeypatch: pytest.MonkeyPatch) -> list[VelocityRotation]:
     """Something that turns velocities beside whatever a level declares."""
-    turns: list[Turn] = [Field(OMEGA)]
+    turns: list[VelocityRotation] = [Field(OMEGA)]
 
-    def with_field(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
+    def with_field(
+        effects: Effects, given: LawInputs
+    ) -> tuple[tuple[Law, ...], tuple[VelocityRotation, ...]]:
         return declared_laws.laws(effects, given)[0], tuple(turns)
 
     monkeypatch.setattr("sandbox.physics.scene.scene.laws", with_field)
@@ -110,7 +112,7 @@ def test_gravity_across_a_field_drives_a_cycloid_of_second_order() -> None:
 
 
 @pytest.mark.sweep
-def test_a_field_that_is_not_uniform_keeps_the_speed_too(field: list[Turn]) -> None:
+def test_a_field_that_is_not_uniform_keeps_the_speed_too(field: list[VelocityRotation]) -> None:
     field[:] = [Field(OMEGA, growth=0.7)]
     speed = np.hypot(*run(build(ball()), 10_000).velocity[:, 0].T)
 
@@ -128,14 +130,14 @@ def spin_error(rate: float) -> float:
     return float(np.abs(seen.velocity[:, 0] - way).max())
 
 
-def test_a_rate_that_follows_a_spin_is_that_at_the_step(field: list[Turn]) -> None:
+def test_a_rate_that_follows_a_spin_is_that_at_the_step(field: list[VelocityRotation]) -> None:
     """Such as that of the Magnus force, F = S ω × v. Half a step late, it would err by 0.16 m/s."""
     field[:] = [Field(0.0, spin=0.35)]
 
     assert spin_error(10) < 1e-11
 
 
-def test_two_fields_turn_as_fast_as_both(field: list[Turn]) -> None:
+def test_two_fields_turn_as_fast_as_both(field: list[VelocityRotation]) -> None:
     field[:] = [Field(0.5), Field(1.5)]
     both = build(ball()).advance(100).velocity
     field[:] = [Field(2.0)]
@@ -182,7 +184,7 @@ def test_a_field_gives_momentum_and_no_energy(effects: Spec) -> None:
     assert books.work["force"] == 0
 
 
-def test_what_turns_too_fast_for_a_step_is_refused(field: list[Turn]) -> None:
+def test_what_turns_too_fast_for_a_step_is_refused(field: list[VelocityRotation]) -> None:
     """2 rad a step, as springs go up to ω h = 2."""
     field[:] = [Field(121.0)]
 

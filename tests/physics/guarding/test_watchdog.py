@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level, Stepping
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.joints.exact import banded, joint_system
+from sandbox.physics.joints.exact import banded_systems, joint_system
 from sandbox.physics.stepping.make_world import make_world
 from tests.physics.scenes import GRAVITY, Spec, disc, level
 
@@ -72,4 +72,4 @@ def test_what_meets_everything_is_no_band() -> None:
 
     assert joints is not None
     assert joints.band is None
-    assert banded.FEWEST <= LINKS
+    assert banded_systems.FEWEST <= LINKS

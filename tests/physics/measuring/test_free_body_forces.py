@@ -11,8 +11,8 @@ from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
-from sandbox.physics.contacts.direct.solver import Direct
-from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
+from sandbox.physics.contacts.direct.solver import DirectSolver
+from sandbox.physics.measuring.free_body import FRICTION, NORMAL, AppliedForce, FreeBody
 from sandbox.physics.measuring.free_body_forces import FreeBodies
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import NoForces, SimulationError
@@ -125,7 +125,7 @@ def diagram(scene: Level, body: str, steps: int = 1) -> FreeBody:
     return found
 
 
-def force(found: FreeBody, name: str) -> Acting:
+def force(found: FreeBody, name: str) -> AppliedForce:
     (acting,) = [each for each in found.forces if each.name == name]
     return acting
 
@@ -385,7 +385,7 @@ def test_every_joint_that_there_is_is_in_the_diagram(kind: str) -> None:
 def test_after_a_step_that_failed_the_forces_of_the_last_whole_one_are_told(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def fail(_: Direct) -> None:
+    def fail(_: DirectSolver) -> None:
         raise NoForces(0, 1)
 
     scene = level(
@@ -394,7 +394,7 @@ def test_after_a_step_that_failed_the_forces_of_the_last_whole_one_are_told(
     )
     world = build(scene)
     world.advance(20)
-    monkeypatch.setattr(Direct, "_solve_all", fail)
+    monkeypatch.setattr(DirectSolver, "_solve_all", fail)
     with pytest.raises(SimulationError):
         world.advance(1)
 

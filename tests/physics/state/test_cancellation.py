@@ -10,7 +10,7 @@ from sandbox.model.crowd_levels import crowd
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.run import build
 from sandbox.physics.state.cancellation import cancellable, cancellation_point
 from sandbox.physics.stepping.world import World

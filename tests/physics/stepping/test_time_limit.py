@@ -14,7 +14,7 @@ from sandbox.physics.measuring import recording
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping import time_limit
-from sandbox.physics.stepping.time_limit import Patience
+from sandbox.physics.stepping.time_limit import TimeLimit
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, disc, floor, level
 
@@ -70,7 +70,7 @@ def crowded() -> World:
 
 
 def test_a_single_step_is_broken_off_where_it_computes_for_too_long() -> None:
-    world, hasty = crowded(), Patience(1e-5)
+    world, hasty = crowded(), TimeLimit(1e-5)
 
     with (
         hasty.within_steps(),
@@ -84,7 +84,7 @@ def test_a_single_step_is_broken_off_where_it_computes_for_too_long() -> None:
 
 def test_a_single_step_that_was_held_up_is_not_broken_off(monkeypatch: pytest.MonkeyPatch) -> None:
     """Wall time passes while a machine sleeps; processor time does not."""
-    world, hasty = crowded(), Patience(1e-5)
+    world, hasty = crowded(), TimeLimit(1e-5)
     monkeypatch.setattr(time_limit, "thread_time", lambda: 0.0)
 
     with hasty.within_steps():
@@ -95,7 +95,7 @@ def test_the_start_of_a_run_is_broken_off_where_it_computes_for_too_long(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """150 elastic boxes that fly into each other took a minute to be built."""
-    monkeypatch.setattr(run, "Patience", partial(Patience, 0.0))
+    monkeypatch.setattr(run, "TimeLimit", partial(TimeLimit, 0.0))
     bodies = {"floor": floor(), "one": disc((0, 0.5)), "other": disc((0, 1.5))}
 
     with pytest.raises(SimulationError, match=r"at t = 0 s: a step takes .* at most 0 s are"):

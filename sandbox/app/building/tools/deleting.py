@@ -2,8 +2,8 @@
 
 import pygame
 
-from sandbox.app.building.edited_level import Work
-from sandbox.app.building.pointer import Part, Spot
+from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.pointer import MousePosition, Part
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
@@ -19,12 +19,12 @@ class DeleteTool(Tool):
 
     hint = later("Click what to delete; a body takes its joints along")
 
-    def __init__(self, bench: Work) -> None:
+    def __init__(self, bench: EditedLevel) -> None:
         super().__init__(bench)
         self._under: Part | None = None
-        self._spot: Spot | None = None
+        self._spot: MousePosition | None = None
 
-    def press(self, spot: Spot) -> None:
+    def press(self, spot: MousePosition) -> None:
         """Delete the part there."""
         part = self._bench.part_at(spot.pixel)
         if part is not None:
@@ -36,7 +36,7 @@ class DeleteTool(Tool):
             self._bench.change(say("delete {names}", names=name), edit)
         self._under = None
 
-    def move(self, spot: Spot) -> None:
+    def move(self, spot: MousePosition) -> None:
         """Find the part that would be deleted."""
         self._spot, self._under = spot, self._bench.part_at(spot.pixel)
 

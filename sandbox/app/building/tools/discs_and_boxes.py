@@ -8,13 +8,13 @@ from math import cos, dist, sin, tau
 import pygame
 
 from sandbox.app.building import shape_preview
-from sandbox.app.building.edited_level import Work
-from sandbox.app.building.pointer import Spot
+from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.pointer import MousePosition
 from sandbox.app.building.tools.tool import STILL, Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
-from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.foreseen_faults import Proposed
 from sandbox.editing.snapping import grid_step
 from sandbox.model.level import Level
@@ -24,7 +24,7 @@ FINER = 10
 """The factor by which the grid is finer for shapes that are too small for it."""
 
 
-class Stretching(Tool, ABC):
+class DragTool(Tool, ABC):
     """Draws by pressing, dragging and releasing, or by two clicks."""
 
     begins = ""
@@ -32,10 +32,10 @@ class Stretching(Tool, ABC):
     said = ""
     """The description of the edit."""
 
-    def __init__(self, bench: Work) -> None:
+    def __init__(self, bench: EditedLevel) -> None:
         super().__init__(bench)
-        self._start: Spot | None = None
-        self._end: Spot | None = None
+        self._start: MousePosition | None = None
+        self._end: MousePosition | None = None
 
     @property
     def busy(self) -> bool:
@@ -48,24 +48,24 @@ class Stretching(Tool, ABC):
         return later("Release, or click, where it ends") if self.busy else self.begins
 
     @property
-    def proposed(self) -> Proposed[Made] | None:
+    def proposed(self) -> Proposed[EditResult] | None:
         """The edit that adds the shape."""
         if self._start is None or self._end is None:
             return None
         one, other = self._start.point, self._reached(self._start, self._end)
         return None if self.is_flat(one, other) else Proposed(self.edit(one, other))
 
-    def press(self, spot: Spot) -> None:
+    def press(self, spot: MousePosition) -> None:
         """Set the first point."""
         if self._start is None:
             self._start = spot
         self._end = spot
 
-    def move(self, spot: Spot) -> None:
+    def move(self, spot: MousePosition) -> None:
         """Move the second point of the preview."""
         self._end = spot
 
-    def release(self, spot: Spot) -> None:
+    def release(self, spot: MousePosition) -> None:
         """Make the shape if the mouse has moved; else a second click makes it."""
         if self._start is None or dist(spot.pixel, self._start.pixel) < STILL:
             return
@@ -87,7 +87,7 @@ class Stretching(Tool, ABC):
         shape_preview.dots(surface, camera, [one])
         shape_preview.measure(surface, pen, self._end.pixel, self.measured(one, other))
 
-    def _reached(self, start: Spot, end: Spot) -> XY:
+    def _reached(self, start: MousePosition, end: MousePosition) -> XY:
         """Return the second point [m], on a finer grid if the shape is too small for this one."""
         if not self.is_flat(start.point, end.point):
             return end.point
@@ -104,7 +104,7 @@ class Stretching(Tool, ABC):
         """Return whether the shape would have no area."""
 
     @abstractmethod
-    def edit(self, one: XY, other: XY) -> Callable[[str, Level], Made]:
+    def edit(self, one: XY, other: XY) -> Callable[[str, Level], EditResult]:
         """Return the edit that adds the shape to the level."""
 
     @abstractmethod
@@ -116,7 +116,7 @@ class Stretching(Tool, ABC):
         """Return the measures of the shape as text."""
 
 
-class DiscTool(Stretching):
+class DiscTool(DragTool):
     """Draws discs from their centres."""
 
     begins = later("Press at the disc's centre, and drag to its rim")
@@ -126,7 +126,7 @@ class DiscTool(Stretching):
         """Return whether the radius is zero."""
         return one == other
 
-    def edit(self, one: XY, other: XY) -> Callable[[str, Level], Made]:
+    def edit(self, one: XY, other: XY) -> Callable[[str, Level], EditResult]:
         """Return the edit that adds a disc to the level."""
         return partial(bodies.add_disc, center=one, rim=other)
 
@@ -141,7 +141,7 @@ class DiscTool(Stretching):
         return f"r {shape_preview.metres(dist(one, other))}"
 
 
-class BoxTool(Stretching):
+class BoxTool(DragTool):
     """Draws boxes from corner to corner."""
 
     begins = later("Press at one corner of the box, and drag to the opposite one")
@@ -151,7 +151,7 @@ class BoxTool(Stretching):
         """Return whether the width or the height is zero."""
         return one[0] == other[0] or one[1] == other[1]
 
-    def edit(self, one: XY, other: XY) -> Callable[[str, Level], Made]:
+    def edit(self, one: XY, other: XY) -> Callable[[str, Level], EditResult]:
         """Return the edit that adds a box to the level."""
         return partial(bodies.add_box, corner=one, opposite=other)
 

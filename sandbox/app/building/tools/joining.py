@@ -8,13 +8,13 @@ from typing import NamedTuple, get_args
 import pygame
 
 from sandbox.app.building import shape_preview
-from sandbox.app.building.edited_level import Work
-from sandbox.app.building.pointer import Spot
+from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.pointer import MousePosition
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import joints
-from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.edits.joints import Pick
 from sandbox.editing.foreseen_faults import Proposed
 from sandbox.model.joints import KINDS, Joint
@@ -61,12 +61,12 @@ CLICKS: Mapping[str, Clicks] = {
 class JoinTool(Tool):
     """Makes a joint from clicks on the stage."""
 
-    def __init__(self, bench: Work, kind: str = "pulley") -> None:
+    def __init__(self, bench: EditedLevel, kind: str = "pulley") -> None:
         super().__init__(bench)
         self.kind = kind
         """The kind of joint, as in a level's file."""
         self._places: list[Pick] = []
-        self._spot: Spot | None = None
+        self._spot: MousePosition | None = None
 
     def use(self, kind: str) -> None:
         """Change the kind of joint."""
@@ -88,7 +88,7 @@ class JoinTool(Tool):
         hints = self._clicks.hints
         return hints[min(len(self._places), len(hints) - 1)]
 
-    def press(self, spot: Spot) -> None:
+    def press(self, spot: MousePosition) -> None:
         """Set the next point, and make the joint with the last."""
         if self._clicks.several and self._ends(spot):
             self.finish()
@@ -98,31 +98,31 @@ class JoinTool(Tool):
             self._make()
 
     @property
-    def proposed(self) -> Proposed[Made] | None:
+    def proposed(self) -> Proposed[EditResult] | None:
         """The edit that a click here would make."""
         if self._spot is None or (self._clicks.several and self._ends(self._spot)):
             return None
         places = self._with(self._spot)
         return self._tie(places) if self._complete(places, self._spot) else None
 
-    def _tie(self, places: Sequence[Pick]) -> Proposed[Made]:
+    def _tie(self, places: Sequence[Pick]) -> Proposed[EditResult]:
         """Return the edit that makes the joint."""
         edit = partial(joints.add_joint, kind=self.kind, chosen=tuple(places))
         return Proposed(edit, {place.body for place in places if place.body})
 
-    def _with(self, spot: Spot) -> list[Pick]:
+    def _with(self, spot: MousePosition) -> list[Pick]:
         """Return the points, with the one that a click here would add."""
         found = self._bodies_at(spot)
         if len(self._clicks.hints) == 1:
             return [Pick(spot.point, body) for body in (*found, None, None)[:2]]
         return [*self._places, Pick(spot.point, found[0] if found else None)]
 
-    def _complete(self, places: Sequence[Pick], spot: Spot) -> bool:
+    def _complete(self, places: Sequence[Pick], spot: MousePosition) -> bool:
         """Return whether the last point, clicked here, makes the joint."""
         ends = not self._clicks.several or (places[-1].body is not None and not spot.shift)
         return ends and len(places) >= max(2, len(self._clicks.hints))
 
-    def _bodies_at(self, spot: Spot) -> list[str]:
+    def _bodies_at(self, spot: MousePosition) -> list[str]:
         """Return the moving bodies at a point, the topmost first."""
         sketch, reach = self._bench.sketch, ON / self._bench.camera.scale
         return [
@@ -131,14 +131,14 @@ class JoinTool(Tool):
             if body.outline.moves and body.covers(spot.point, reach)
         ]
 
-    def _ends(self, spot: Spot) -> bool:
+    def _ends(self, spot: MousePosition) -> bool:
         """Return whether a click is the second of a double click."""
         if len(self._places) < len(self._clicks.hints):
             return False
         last = self._bench.camera.to_screen(self._places[-1].point)
         return dist(last, self._bench.camera.to_screen(spot.point)) < TOGETHER
 
-    def move(self, spot: Spot) -> None:
+    def move(self, spot: MousePosition) -> None:
         """Move the end of the preview."""
         self._spot = spot
 

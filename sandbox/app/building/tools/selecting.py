@@ -9,9 +9,9 @@ from math import degrees, dist, pi, radians
 import pygame
 
 from sandbox.app.building import selection_handles, shape_preview
-from sandbox.app.building.edited_level import Work
-from sandbox.app.building.partial_level import Drawn
-from sandbox.app.building.pointer import Part, Snapped, Spot
+from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.partial_level import DrawableBody
+from sandbox.app.building.pointer import MousePosition, Part, SnappedPoint
 from sandbox.app.building.selection_handles import Handle
 from sandbox.app.building.tools.tool import STILL, Tool
 from sandbox.app.drawing import theme
@@ -31,7 +31,7 @@ CROWD = 60
 """The largest number of bodies that are rotated, or whose outlines are drawn while they are moved;
 of more, the frame is drawn."""
 
-NOWHERE = Snapped((0.0, 0.0), "")
+NOWHERE = SnappedPoint((0.0, 0.0), "")
 
 
 class Doing(Enum):
@@ -58,11 +58,11 @@ class SelectTool(Tool):
     A click selects a body with its group, a second click the body alone.
     """
 
-    def __init__(self, bench: Work) -> None:
+    def __init__(self, bench: EditedLevel) -> None:
         super().__init__(bench)
         self._doing = Doing.NOTHING
-        self._start: Spot | None = None
-        self._now: Spot | None = None
+        self._start: MousePosition | None = None
+        self._now: MousePosition | None = None
         self._handle: Handle | None = None
         self._way = NOWHERE
         self._again: Part | None = None  # pressed while its group was selected
@@ -94,7 +94,7 @@ class SelectTool(Tool):
                 return _resizing(body, self._handle, now.point)
         return None
 
-    def press(self, spot: Spot) -> None:
+    def press(self, spot: MousePosition) -> None:
         """Start dragging a handle, a part, or a rubber band."""
         bench = self._bench
         self._start = self._now = spot
@@ -128,7 +128,7 @@ class SelectTool(Tool):
             self._bench.select(group)
 
     @property
-    def _held(self) -> list[Drawn]:
+    def _held(self) -> list[DrawableBody]:
         """The selected bodies that the handles act on: a single one, or several to be rotated."""
         chosen, bodies = self._bench.selected, self._bench.sketch.bodies
         moved = self._moved
@@ -137,7 +137,7 @@ class SelectTool(Tool):
         return []
 
     @property
-    def _single(self) -> Drawn | None:
+    def _single(self) -> DrawableBody | None:
         """The selected body, if a single one is selected."""
         held = self._held
         return held[0] if len(held) == 1 else None
@@ -147,7 +147,7 @@ class SelectTool(Tool):
         """The selected bodies."""
         return [name for family, name in self._bench.selected if family == "bodies"]
 
-    def move(self, spot: Spot) -> None:
+    def move(self, spot: MousePosition) -> None:
         """Drag whatever is held."""
         if self._start is None or self._doing is Doing.NOTHING:
             return
@@ -156,14 +156,16 @@ class SelectTool(Tool):
             (x, y), (a, b) = spot.free, self._start.free
             self._way = self._snapped((x - a, y - b), spot)
 
-    def _snapped(self, by: XY, spot: Spot) -> Snapped:
+    def _snapped(self, by: XY, spot: MousePosition) -> SnappedPoint:
         """Return the displacement of the selection [m]; with Alt it does not snap."""
         moved = self._moved
         return (
-            self._bench.snapping.moved(moved, by) if moved and not spot.loose else Snapped(by, "")
+            self._bench.snapping.moved(moved, by)
+            if moved and not spot.loose
+            else SnappedPoint(by, "")
         )
 
-    def release(self, spot: Spot) -> None:
+    def release(self, spot: MousePosition) -> None:
         """Apply the drag, or select the parts inside the rubber band."""
         start, doing = self._start, self._doing
         if start is None:
@@ -239,12 +241,12 @@ class SelectTool(Tool):
                 self._draw_resized(surface, pen, body, self._handle, now)
 
     @staticmethod
-    def _draw_band(surface: pygame.Surface, start: Spot, now: Spot) -> None:
+    def _draw_band(surface: pygame.Surface, start: MousePosition, now: MousePosition) -> None:
         (x, y), (a, b) = start.pixel, now.pixel
         band = pygame.Rect(min(x, a), min(y, b), abs(x - a), abs(y - b))
         pygame.draw.rect(surface, theme.ACCENT, band, 1)
 
-    def _draw_moved(self, surface: pygame.Surface, pen: Pen, now: Spot) -> None:
+    def _draw_moved(self, surface: pygame.Surface, pen: Pen, now: MousePosition) -> None:
         dx, dy = self._way.point
         bodies = [self._bench.sketch.bodies[name] for name in self._moved]
         outlines = [(body.corners, body.outline.closed) for body in bodies[:CROWD]]
@@ -256,7 +258,7 @@ class SelectTool(Tool):
         message = f"Δx {shape_preview.metres(dx)}  Δy {shape_preview.metres(dy)}  {self._way.by}"
         shape_preview.measure(surface, pen, now.pixel, message.strip())
 
-    def _draw_turned(self, surface: pygame.Surface, pen: Pen, now: Spot) -> None:
+    def _draw_turned(self, surface: pygame.Surface, pen: Pen, now: MousePosition) -> None:
         held, turn = self._held, self._turn
         center = complex(*selection_handles.middle(held))
         for body in held[:CROWD]:
@@ -267,7 +269,12 @@ class SelectTool(Tool):
         shape_preview.measure(surface, pen, now.pixel, f"{number(shown, 4)}°")
 
     def _draw_resized(
-        self, surface: pygame.Surface, pen: Pen, body: Drawn, handle: Handle, now: Spot
+        self,
+        surface: pygame.Surface,
+        pen: Pen,
+        body: DrawableBody,
+        handle: Handle,
+        now: MousePosition,
     ) -> None:
         local = selection_handles.dragged(body, handle.index, now.point)
         corners = [selection_handles.in_plane(body, point) for point in local]
@@ -280,17 +287,17 @@ class SelectTool(Tool):
         shape_preview.measure(surface, pen, now.pixel, message)
 
 
-def _turning(bodies: Sequence[Drawn], angle: float) -> Proposed[str]:
+def _turning(bodies: Sequence[DrawableBody], angle: float) -> Proposed[str]:
     names, middle = [body.outline.name for body in bodies], selection_handles.middle(bodies)
     return Proposed(partial(transforms.turn, names=names, angle=angle, about=middle), names)
 
 
-def _resizing(body: Drawn, handle: Handle, to: XY) -> Proposed[str]:
+def _resizing(body: DrawableBody, handle: Handle, to: XY) -> Proposed[str]:
     name = body.outline.name
     return Proposed(partial(drag_handle, name=name, index=handle.index, to=to), [name])
 
 
-def _frame(bodies: Sequence[Drawn]) -> list[XY]:
+def _frame(bodies: Sequence[DrawableBody]) -> list[XY]:
     """Return the corners of the bounding box of the positions of bodies [m]."""
     xs, ys = zip(*(body.position for body in bodies), strict=True)
     return [(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))]

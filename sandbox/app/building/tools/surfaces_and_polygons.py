@@ -7,14 +7,14 @@ from math import atan2, degrees, dist
 import pygame
 
 from sandbox.app.building import shape_preview
-from sandbox.app.building.edited_level import Work
-from sandbox.app.building.pointer import Spot
+from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.pointer import MousePosition
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
-from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.foreseen_faults import Proposed
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
@@ -24,7 +24,7 @@ APART = 3.0  # px, the least distance between two points of a stroke
 OFF = 2.0  # px, the tolerance of the simplification of a stroke
 
 
-class Tracing(Tool):
+class VertexTool(Tool):
     """Sets a point with each click; Enter, a double click, or a polygon's first corner finishes."""
 
     least = 2
@@ -35,10 +35,10 @@ class Tracing(Tool):
         "Click the next point; Enter or a double click ends it, Backspace takes one back"
     )
 
-    def __init__(self, bench: Work) -> None:
+    def __init__(self, bench: EditedLevel) -> None:
         super().__init__(bench)
         self._points: list[XY] = []
-        self._spot: Spot | None = None
+        self._spot: MousePosition | None = None
 
     @property
     def busy(self) -> bool:
@@ -51,14 +51,14 @@ class Tracing(Tool):
         return self.goes_on if self.busy else self.begins
 
     @property
-    def proposed(self) -> Proposed[Made] | None:
+    def proposed(self) -> Proposed[EditResult] | None:
         """The edit that adds the shape, if it ended at the mouse."""
         if not self._points or self._spot is None:
             return None
         points = tuple(dict.fromkeys((*self._points, self._spot.point)))
         return Proposed(self.edit(points)) if len(points) >= self.least else None
 
-    def press(self, spot: Spot) -> None:
+    def press(self, spot: MousePosition) -> None:
         """Set the next point, or finish."""
         self._spot = spot
         if self._points and self._ends(spot):
@@ -66,14 +66,14 @@ class Tracing(Tool):
         else:
             self._points.append(spot.point)
 
-    def _ends(self, spot: Spot) -> bool:
+    def _ends(self, spot: MousePosition) -> bool:
         """Return whether a click finishes the shape."""
         camera = self._bench.camera
         last = dist(camera.to_screen(self._points[-1]), camera.to_screen(spot.point)) < 1
         first = dist(camera.to_screen(self._points[0]), spot.pixel) < CLOSE
         return last or (self.closed and first and len(self._points) >= self.least)
 
-    def move(self, spot: Spot) -> None:
+    def move(self, spot: MousePosition) -> None:
         """Move the end of the preview."""
         self._spot = spot
 
@@ -101,16 +101,16 @@ class Tracing(Tool):
         message = f"{length}  {number(degrees(atan2(y, x)), 4)}°"
         shape_preview.measure(surface, pen, self._spot.pixel, message)
 
-    def edit(self, points: tuple[XY, ...]) -> Callable[[str, Level], Made]:
+    def edit(self, points: tuple[XY, ...]) -> Callable[[str, Level], EditResult]:
         """Return the edit that adds the surface to the level."""
         return partial(bodies.add_surface, points=points)
 
 
-class SurfaceTool(Tracing):
+class SurfaceTool(VertexTool):
     """Draws floors, slopes and walls."""
 
 
-class PolygonTool(Tracing):
+class PolygonTool(VertexTool):
     """Draws polygons, corner by corner."""
 
     least = 3
@@ -121,7 +121,7 @@ class PolygonTool(Tracing):
         "Click the next corner; the first one or Enter closes it, Backspace takes one back"
     )
 
-    def edit(self, points: tuple[XY, ...]) -> Callable[[str, Level], Made]:
+    def edit(self, points: tuple[XY, ...]) -> Callable[[str, Level], EditResult]:
         """Return the edit that adds a polygon to the level."""
         return partial(bodies.add_polygon, points=points)
 
@@ -129,7 +129,7 @@ class PolygonTool(Tracing):
 class CurveTool(Tool):
     """Draws freehand strokes: a polygon if the stroke returns to its start, else a surface."""
 
-    def __init__(self, bench: Work) -> None:
+    def __init__(self, bench: EditedLevel) -> None:
         super().__init__(bench)
         self._points: list[XY] = []
         self._pixels: list[XY] = []
@@ -145,7 +145,7 @@ class CurveTool(Tool):
         return later("Draw while you press; come back to the beginning for a closed body")
 
     @property
-    def proposed(self) -> Proposed[Made] | None:
+    def proposed(self) -> Proposed[EditResult] | None:
         """The edit that adds the shape of the stroke."""
         if len(self._points) < 3:
             return None
@@ -153,17 +153,17 @@ class CurveTool(Tool):
         edit = partial(bodies.add_curve, points=tuple(self._points), tolerance=tolerance)
         return Proposed(edit)
 
-    def press(self, spot: Spot) -> None:
+    def press(self, spot: MousePosition) -> None:
         """Start a stroke."""
         self._points, self._pixels = [spot.point], [spot.pixel]
 
-    def move(self, spot: Spot) -> None:
+    def move(self, spot: MousePosition) -> None:
         """Continue the stroke."""
         if self._pixels and dist(spot.pixel, self._pixels[-1]) >= APART:
             self._points.append(spot.free)
             self._pixels.append(spot.pixel)
 
-    def release(self, spot: Spot) -> None:
+    def release(self, spot: MousePosition) -> None:
         """Make the shape of the stroke, if it is more than a click."""
         self.move(spot)
         proposed = self.proposed

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import pygame
 
-from sandbox.app.building.edited_level import Work
-from sandbox.app.building.pointer import Spot
+from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.pointer import MousePosition
 from sandbox.app.drawing.text import Pen
-from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.foreseen_faults import Proposed
 
 STILL = 4.0  # px, the distance between press and release below which it is a click
@@ -17,7 +17,7 @@ STILL = 4.0  # px, the distance between press and release below which it is a cl
 class Tool:
     """The use of the mouse on the stage while it is the current tool; by default, none."""
 
-    def __init__(self, bench: Work) -> None:
+    def __init__(self, bench: EditedLevel) -> None:
         self._bench = bench
 
     @property
@@ -31,16 +31,16 @@ class Tool:
         return ""
 
     @property
-    def proposed(self) -> Proposed[str | Made] | None:
+    def proposed(self) -> Proposed[str | EditResult] | None:
         """The edit that letting go or a click would make here; None if that makes none."""
 
-    def press(self, spot: Spot) -> None:
+    def press(self, spot: MousePosition) -> None:
         """Start, or set the next point."""
 
-    def move(self, spot: Spot) -> None:
+    def move(self, spot: MousePosition) -> None:
         """Update the preview."""
 
-    def release(self, spot: Spot) -> None:
+    def release(self, spot: MousePosition) -> None:
         """Finish a drag."""
 
     def finish(self) -> None:
@@ -54,7 +54,7 @@ class Tool:
 
 
 @dataclass(frozen=True, slots=True)
-class Kind:
+class ToolDeclaration:
     """The declaration of a tool, as the palette shows it."""
 
     name: str
@@ -63,4 +63,4 @@ class Kind:
     """a digit, which chooses the tool while the page is open"""
     text: str
     """its description, for the tooltip and the help"""
-    make: Callable[[Work], Tool]
+    make: Callable[[EditedLevel], Tool]

@@ -12,7 +12,7 @@ from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_translation import Say, title
 from sandbox.model.level import Check, Level, Stepping
-from sandbox.physics.accuracy.accuracy_study import Here, Progress, Split
+from sandbox.physics.accuracy.accuracy_study import CurrentSetting, ErrorBudget, Progress
 from sandbox.physics.accuracy.trusted_digits import Trust
 
 PARTS = (later("model"), later("numerical"), later("remaining"))
@@ -29,7 +29,7 @@ def ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
 
 
 def asked(
-    pen: Pen, width: int, target: float | None, stepping: Stepping, here: Here | None,
+    pen: Pen, width: int, target: float | None, stepping: Stepping, here: CurrentSetting | None,
     place: Trust | None,
 ) -> pygame.Surface:  # fmt: skip
     """Draw the requested accuracy, the present setting, its error, and the least known place."""
@@ -80,7 +80,7 @@ def status(
 
 def rest(
     pen: Pen, width: int, shares: Mapping[str, float], level: Level,
-    splits: Mapping[int, Split],
+    splits: Mapping[int, ErrorBudget],
 ) -> pygame.Surface:  # fmt: skip
     """Draw the parts of a frame's time, and the parts of the checks' errors."""
     card, words = Card(pen, width), level_translation.of(level)
@@ -111,7 +111,7 @@ def _frame(card: Card, shares: Mapping[str, float]) -> None:
     card.y += card.pen.height(12)
 
 
-def _split(card: Card, check: Check, words: Say, split: Split) -> None:
+def _split(card: Card, check: Check, words: Say, split: ErrorBudget) -> None:
     """Add the three parts of a check's error, side by side."""
     card.y += GAP
     card.text(title(check, words), 13, bold=True)

@@ -12,7 +12,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
-from sandbox.physics.accuracy.accuracy_study import Here, Point
+from sandbox.physics.accuracy.accuracy_study import CurrentSetting, WorkPrecisionPoint
 
 LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, margins of the field
 LEAST = 1e-16
@@ -54,7 +54,10 @@ def axis(values: Sequence[float], start: float, end: float) -> Axis:
 
 
 def draw(
-    pen: Pen, size: tuple[int, int], points: Sequence[Point], here: Here | None
+    pen: Pen,
+    size: tuple[int, int],
+    points: Sequence[WorkPrecisionPoint],
+    here: CurrentSetting | None,
 ) -> pygame.Surface:
     """Draw a line for each scheme, and a ring around the present setting.
 
@@ -82,7 +85,7 @@ def draw(
     return surface
 
 
-def _pixel(point: Point, across: Axis, up: Axis) -> XY:
+def _pixel(point: WorkPrecisionPoint, across: Axis, up: Axis) -> XY:
     return across.pixel(1e3 * point.cost), up.pixel(point.error)
 
 
@@ -103,7 +106,7 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> Non
     surface.blit(title, place)
 
 
-def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
+def legend(pen: Pen, width: int, points: Sequence[WorkPrecisionPoint]) -> pygame.Surface:
     """Draw the legend of the schemes, two in a row."""
     schemes = list(dict.fromkeys(point.scheme for point in points))
     height = pen.height(12) + 1

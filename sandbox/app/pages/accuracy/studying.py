@@ -3,15 +3,21 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from sandbox.app.background import Errand, Work
+from sandbox.app.background import BackgroundTask, Work
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.accuracy import accuracy_study
-from sandbox.physics.accuracy.accuracy_study import Failed, Here, Point, Progress, Split
+from sandbox.physics.accuracy.accuracy_study import (
+    CurrentSetting,
+    ErrorBudget,
+    Failed,
+    Progress,
+    WorkPrecisionPoint,
+)
 from sandbox.physics.accuracy.calibration import BUDGET, Setting
 from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 
@@ -24,7 +30,7 @@ PATIENCE = 0.5  # s without a change before the work starts
 CANCELLED = Message("the search for a setting has been cancelled")
 
 
-class Studying(Errand):
+class Studying(BackgroundTask):
     """Studies a session in the background."""
 
     def __init__(self) -> None:
@@ -38,7 +44,7 @@ class Studying(Errand):
         self._forget()
 
     def _forget(self) -> None:
-        self.points: list[Point] = []
+        self.points: list[WorkPrecisionPoint] = []
         """The errors and costs of other settings."""
         self.failure: Message = NOTHING
         """The reason why the work failed; empty if it did not."""
@@ -47,9 +53,9 @@ class Studying(Errand):
     def _forget_run(self) -> None:
         self._waited, self._measured = 0.0, False
         self._asked = self._trust_sought = False
-        self.here: Here | None = None
+        self.here: CurrentSetting | None = None
         """The error and cost of the present setting; None while unknown."""
-        self._splits: dict[int, Split] = {}
+        self._splits: dict[int, ErrorBudget] = {}
         self._trust: dict[str, Trust] = {}
         self.progress: Progress | None = None
         """The progress of the work; None if there is none."""
@@ -78,7 +84,7 @@ class Studying(Errand):
             self._forget_run()
             offer, stepping = self._offer, session.world.stepping
             if offer and offer.stepping == stepping:
-                self.here = Here(stepping.scheme, stepping.rate, offer.error, offer.cost)
+                self.here = CurrentSetting(stepping.scheme, stepping.rate, offer.error, offer.cost)
         self._waited += seconds
         if self._waited < PATIENCE or self.running:
             return
@@ -150,18 +156,18 @@ class Studying(Errand):
         match finding:
             case Progress():
                 self.progress = finding
-            case Here():
+            case CurrentSetting():
                 self.here = finding
-            case Point():
+            case WorkPrecisionPoint():
                 self.points.append(finding)
-            case Split():
+            case ErrorBudget():
                 self._splits[finding.check] = finding
             case Trust():
                 self._trust[finding.quantity] = finding
             case Failed(reason=reason):
                 self.failure = reason
 
-    def splits(self, session: Session) -> Mapping[int, Split]:
+    def splits(self, session: Session) -> Mapping[int, ErrorBudget]:
         """Return the parts of the errors of the checks of the present run, by index."""
         return self._splits if self._knows(session) else {}
 

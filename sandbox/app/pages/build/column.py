@@ -6,7 +6,7 @@ import pygame
 from pygame_gui.core import ObjectID, UIElement
 from pygame_gui.elements import UIButton
 
-from sandbox.app.building.button_action import Act
+from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.cards.card import Card, heading
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
@@ -90,7 +90,7 @@ class Column:
         self._widgets.append(button)
         return button
 
-    def buttons(self, acts: Sequence[Act], x: int = 0) -> list[UIButton]:
+    def buttons(self, acts: Sequence[ButtonAction], x: int = 0) -> list[UIButton]:
         """Add rows of buttons, and continue below them."""
         places = beside(self._sheet.pen, [act.caption for act in acts], self._sheet.width - x)
         made = [

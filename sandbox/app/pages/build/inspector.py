@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 import pygame
 from pygame_gui.elements import UIButton
 
-from sandbox.app.building.button_action import Act
-from sandbox.app.building.editable_fields import Entry, Row, Section, caption_of
+from sandbox.app.building.button_action import ButtonAction
+from sandbox.app.building.editable_fields import EditableField, Row, Section, caption_of
 from sandbox.app.drawing import theme
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
 from sandbox.app.widgets.sheet import Sheet
@@ -30,8 +30,8 @@ SWITCHED: Mapping[str, str] = {later("no"): "false", later("yes"): "true"}
 class Line:
     """An entry with its widgets."""
 
-    entry: Entry
-    row: Sequence[Entry]
+    entry: EditableField
+    row: Sequence[EditableField]
     """the entries of its row, such as both coordinates of a point"""
     field: Field | None = None
     shown: str = ""
@@ -119,7 +119,7 @@ class Inspector:
             column.text(why, theme.FAILED, self._sheet.px(LABEL))
 
     def _put_choices(self, line: Line, options: Mapping[str, str]) -> None:
-        acts = [Act(caption, line.entry.help, bool) for caption in options]
+        acts = [ButtonAction(caption, line.entry.help, bool) for caption in options]
         buttons = self._column.buttons(acts, self._sheet.px(LABEL))
         line.choices = dict(zip(buttons, options.values(), strict=True))
 
@@ -163,7 +163,7 @@ class Inspector:
         if field.get_text() != shown:
             field.set_text(shown)
 
-    def _entries(self, rows: Sequence[Row]) -> Iterator[Sequence[Entry]]:
+    def _entries(self, rows: Sequence[Row]) -> Iterator[Sequence[EditableField]]:
         """Yield the visible rows."""
         for row in rows:
             if not isinstance(row, Section):
@@ -252,14 +252,14 @@ class Inspector:
             field.set_text(line.shown)
 
 
-def _options(entry: Entry) -> Mapping[str, str]:
+def _options(entry: EditableField) -> Mapping[str, str]:
     """Return the options of a choice or a switch, by caption."""
     if entry.sort == "switch":
         return {say(caption): means for caption, means in SWITCHED.items()}
     return {say(caption_of(choice)): choice for choice in entry.choices}
 
 
-def _tip(entry: Entry) -> str:
+def _tip(entry: EditableField) -> str:
     """Return the tooltip of an entry."""
     description = entry.help or entry.label
     if not entry.default:
@@ -269,11 +269,11 @@ def _tip(entry: Entry) -> str:
     return say("{help}; {default} if left empty", help=description, default=default)
 
 
-def _form(entry: Entry, numbers: Collection[Path]) -> tuple[object, ...]:
+def _form(entry: EditableField, numbers: Collection[Path]) -> tuple[object, ...]:
     """Return a key on which the widgets of an entry depend."""
     return entry.path, entry.sort, _adjustable(entry, numbers), len(entry.shown) > MOST
 
 
-def _adjustable(entry: Entry, numbers: Collection[Path]) -> bool:
+def _adjustable(entry: EditableField, numbers: Collection[Path]) -> bool:
     """Return whether an entry is a number, given or by default, that can be made a parameter."""
     return bool(entry.shown or entry.default) and entry.path in numbers

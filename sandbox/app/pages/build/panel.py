@@ -9,7 +9,7 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_CHANGED, UI_TEXT_ENTRY_F
 from pygame_gui.elements import UIButton
 
 from sandbox.app.building import inspected_fields
-from sandbox.app.building.button_action import Act
+from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.editable_fields import Row
 from sandbox.app.building.editor import Editor
 from sandbox.app.pages.build import sections
@@ -41,7 +41,7 @@ class BuildPage:
         self.inspector = Inspector(sheet, self._column)
         """The fields."""
         self._buttons: list[UIButton] = []
-        self._acts: list[tuple[UIButton, Act]] = []
+        self._acts: list[tuple[UIButton, ButtonAction]] = []
         self._name: Field | None = None
         self._offered: dict[json_positions.Path, list[str]] = {}
         self._refused: dict[json_positions.Path, str] = {}
@@ -186,8 +186,8 @@ class BuildPage:
         editor = self._editor
         below = sections.subject(editor)
         if editor.saving.naming:
-            here = Act(say("Save here"), say("write the file (Enter)"), self._save_here)
-            leave = Act(
+            here = ButtonAction(say("Save here"), say("write the file (Enter)"), self._save_here)
+            leave = ButtonAction(
                 say("Do not save"), say("continue without saving (Esc)"), editor.saving.stop_naming
             )
             below.insert(0, Block("", acts=(here, leave)))

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sandbox.app.building import editable_fields, inspected_fields
 from sandbox.app.building.arranging import arrangements
-from sandbox.app.building.button_action import Act
+from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.context_actions import part_actions
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.effect_costs import said
@@ -38,7 +38,7 @@ class Block(NamedTuple):
     text: str
     color: Color | None = None
     """None for that of less important texts"""
-    acts: tuple[Act, ...] = ()
+    acts: tuple[ButtonAction, ...] = ()
     pressed: frozenset[str] = frozenset()
     heading: bool = False
 
@@ -52,7 +52,7 @@ def above(editor: Editor, session: Session) -> list[Block]:
     """Return the top blocks: mistakes, and pending decisions."""
     found = []
     if editor.trying.is_shown(session):
-        keep = Act(
+        keep = ButtonAction(
             say("Keep as a level"),
             say("continue with the present state as a level of its own"),
             partial(editor.keep_run, session),
@@ -65,7 +65,7 @@ def above(editor: Editor, session: Session) -> list[Block]:
     elif (
         left := editor.trial.left(editor.work.draft.text)
     ) is not None and not editor.applying.refusal:
-        back = Act(
+        back = ButtonAction(
             say("Back to the run at {t:.2f} s", t=left.t),
             say("return to the run that you left, where it was (Ctrl Y right after Esc)"),
             partial(editor.trying.come_back, session),
@@ -101,10 +101,10 @@ def subject(editor: Editor) -> list[Block]:
             _costs(editor),
         ]
     if in_run:
-        leave = Act(say("Select nothing"), "(Esc)", partial(work.select, ()))
+        leave = ButtonAction(say("Select nothing"), "(Esc)", partial(work.select, ()))
         return [title, Block("", acts=(_taking_out(editor), leave))]
     tip = say("show the level again (Esc)")
-    leave = Act(say("Select nothing"), tip, partial(work.select, ()))
+    leave = ButtonAction(say("Select nothing"), tip, partial(work.select, ()))
     return [title, Block(say(SELECTED), acts=(leave,))]
 
 
@@ -124,9 +124,9 @@ def _suggested(editor: Editor) -> list[Block]:
     return [Block(say(CHECKED if editor.work.document.get("checks") else NO_CHECKS))]
 
 
-def _taking_out(editor: Editor) -> Act:
+def _taking_out(editor: Editor) -> ButtonAction:
     tip = say("take it out of the run, and its joints (Delete)")
-    return Act(say("Delete"), tip, editor.bench.delete)
+    return ButtonAction(say("Delete"), tip, editor.bench.delete)
 
 
 def _costs(editor: Editor) -> Block:
@@ -138,13 +138,15 @@ def _costs(editor: Editor) -> Block:
             return Block(say("Time of a step: {costs}", costs=found or say("no effect to measure")))
         return Block(say("The effects are being timed ..."))
     tip = say("times a step of this level with and without each effect, which takes some seconds")
-    return Block("", acts=(Act(say("What does each effect cost?"), tip, editor.time_effects),))
+    return Block(
+        "", acts=(ButtonAction(say("What does each effect cost?"), tip, editor.time_effects),)
+    )
 
 
 def _switches(editor: Editor) -> Block:
     work = editor.bench
     acts = (
-        Act(
+        ButtonAction(
             say(name),
             say(editable_fields.help_of(Effects, name) or name),
             partial(inspected_fields.switch, work, name),

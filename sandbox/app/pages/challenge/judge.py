@@ -1,12 +1,12 @@
 """The judge of challenges, which compares every run with the goals, and keeps the stars."""
 
 from sandbox.app.files.progress import Progress
-from sandbox.app.pages.page import Idle
+from sandbox.app.pages.page import IdleWorker
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
 
 
-class Judge(Idle):
+class Judge(IdleWorker):
     """Watches runs, and reports the stars that they earn."""
 
     def __init__(self) -> None:

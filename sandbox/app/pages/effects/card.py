@@ -12,7 +12,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_translation import Say
-from sandbox.physics.measuring.comparison import Difference
+from sandbox.physics.measuring.run_comparison import Difference
 
 TOUCHED_ONE = later("Only this run was changed by hand: the two can no longer be compared.")
 

@@ -20,7 +20,7 @@ from sandbox.app.words.language import later, say
 from sandbox.model.effect_variants import DEFAULTS
 
 if TYPE_CHECKING:
-    from sandbox.physics.measuring.comparison import Difference
+    from sandbox.physics.measuring.run_comparison import Difference
 
 SWITCH = 28  # px, the height of a switch
 GAP = 6  # px

@@ -12,7 +12,7 @@ from sandbox.model.effect_variants import DEFAULTS, vary
 from sandbox.model.effects.contract import Settings
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.schemes import unsmooth
-from sandbox.physics.measuring.comparison import Difference, differences
+from sandbox.physics.measuring.run_comparison import Difference, differences
 
 DECLARED = later("as the level declares it")
 

@@ -8,7 +8,7 @@ import pygame
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.pages.experiment.chosen_curve import Chosen, Exploring
+from sandbox.app.pages.experiment.parameter_curve import CurveChoice, CurveWorker
 from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
@@ -26,7 +26,7 @@ HINT = later("Click on the curve to run with that value.")
 
 
 def curve(
-    pen: Pen, width: int, session: Session, exploring: Exploring, mouse: Point | None
+    pen: Pen, width: int, session: Session, exploring: CurveWorker, mouse: Point | None
 ) -> tuple[pygame.Surface, pygame.Rect]:
     """Draw a curve with its description, and return also the place of the curve on the card.
 
@@ -56,7 +56,7 @@ def curve(
     return card.drawn(), field
 
 
-def unit_of(level: Level, chosen: Chosen) -> str:
+def unit_of(level: Level, chosen: CurveChoice) -> str:
     """Return the unit of the measured quantity; empty if it has none, or is unknown."""
     try:
         return parse(chosen.measure, level, until=False).unit
@@ -70,7 +70,7 @@ def shown_as(level: Level, measure: str) -> str:
     return labels.get(measure) or measure
 
 
-def span_of(pen: Pen, width: int, level: Level, chosen: Chosen) -> Scale:
+def span_of(pen: Pen, width: int, level: Level, chosen: CurveChoice) -> Scale:
     """Return the horizontal scale of a curve with a width [px], over the parameter's range."""
     known = level.parameters[chosen.parameter]
     return plot.across(pen, width, [np.array([known.min, known.max])])
@@ -93,7 +93,7 @@ def _series(points: Sequence[Point]) -> Iterator[Series]:
             yield Series(color, at, values, dashed=dashed, marked=not dashed)
 
 
-def _point_text(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None:
+def _point_text(card: Card, level: Level, chosen: CurveChoice, point: Point | None) -> None:
     """Add the result of a run in numbers."""
     if point is None:
         card.text(say(HINT), 12, theme.DIM)
@@ -117,7 +117,7 @@ def named(level: Level, name: str, unit: str = "") -> str:
     return f"{shown}, {label}" if label and label != name else shown
 
 
-def _progress(card: Card, exploring: Exploring) -> None:
+def _progress(card: Card, exploring: CurveWorker) -> None:
     """Add the progress of the runs, and the number of failures."""
     if exploring.failure:
         card.text(say(exploring.failure), 12, theme.FAILED)

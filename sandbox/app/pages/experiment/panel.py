@@ -7,7 +7,7 @@ from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
 
 from sandbox.app.cards.card import heading
 from sandbox.app.pages.experiment.card import curve, named, nearest, shown_as, span_of
-from sandbox.app.pages.experiment.chosen_curve import Exploring, measures
+from sandbox.app.pages.experiment.parameter_curve import CurveWorker, measures
 from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet, below
@@ -26,7 +26,7 @@ class ExperimentPage:
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
-        self._exploring = desk.worker(Exploring)
+        self._exploring = desk.worker(CurveWorker)
         self._mouse: Point | None = None
         self._field = pygame.Rect(0, 0, 0, 0)
         self._curve = sheet.image(self._drawn(), sheet.margin // 2)

@@ -11,7 +11,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import Message, joined
+from sandbox.model.translatable_message import Message, joined
 
 COUNT = 65
 """The number of values of the parameter: the ends, and the points of repeated bisection."""
@@ -28,13 +28,15 @@ class Point(NamedTuple):
     failure: str | None
 
 
-class Refused(NamedTuple):
+class SamplingRefusal(NamedTuple):
     """The reason why there are no runs."""
 
     reason: Message
 
 
-def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterator[Point | Refused]:
+def sample(
+    level: Level, values: Values, parameter: str, measure: str
+) -> Iterator[Point | SamplingRefusal]:
     """Yield the points of a curve over the range of a parameter, from coarse to fine.
 
     The parameter and the measure have the form of an experiment's file.
@@ -42,7 +44,7 @@ def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterat
     try:
         plan = _plan(level, values, parameter, measure)
     except SandboxError as error:
-        yield Refused(error.message)
+        yield SamplingRefusal(error.message)
         return
     for index in coarse_first(COUNT):
         (cells,) = measured(plan, index, index + 1)

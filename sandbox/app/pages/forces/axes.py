@@ -2,14 +2,14 @@
 
 from math import hypot
 
-from sandbox.app.pages.page import Idle
+from sandbox.app.pages.page import IdleWorker
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FreeBody
 
 ALONG_X: XY = (1.0, 0.0)
 
 
-class Axes(Idle):
+class Axes(IdleWorker):
     """Keeps the choice of axes while the window is open."""
 
     def __init__(self) -> None:

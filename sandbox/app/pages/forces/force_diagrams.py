@@ -12,7 +12,7 @@ from sandbox.app.observing import forces_on_selection
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
-from sandbox.physics.measuring.free_body import Acting, FreeBody
+from sandbox.physics.measuring.free_body import AppliedForce, FreeBody
 
 FREE, CLOSE = (24, 26), (12, 14)  # px, the margins beside and above arrows, with and without labels
 SHORTEST = 6.0  # px, the least length of an arrow with a label
@@ -113,7 +113,7 @@ def _before(vectors: Sequence[XY], place: int) -> int:
     return sum(abs((turn + pi) % (2 * pi) - pi) < SIMILAR for turn in turns)
 
 
-def _aside(forces: Sequence[Acting]) -> XY | None:
+def _aside(forces: Sequence[AppliedForce]) -> XY | None:
     """Return the direction in which arrows along one line are separated; None if they are not."""
     longest = max(forces, key=lambda acting: acting.size, default=None)
     if longest is None or len(forces) < 2 or not longest.size:

@@ -3,7 +3,7 @@
 from itertools import chain, islice
 from pathlib import Path
 
-from sandbox.app.background import Errand
+from sandbox.app.background import BackgroundTask
 from sandbox.app.pages.graph.figure import Figure, saved
 from sandbox.app.pages.graph.zoom import WHOLE, Zoom
 from sandbox.app.runs.session import Session
@@ -29,7 +29,7 @@ def offered(level: Level) -> list[str]:
     return list(islice(chain(moving, still), MOST))
 
 
-class Choice(Errand):
+class Choice(BackgroundTask):
     """Keeps the chosen quantities, and draws them into a file."""
 
     def __init__(self) -> None:

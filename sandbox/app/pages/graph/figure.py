@@ -33,7 +33,7 @@ class Curve(NamedTuple):
     y: Array
 
 
-class Field(NamedTuple):
+class Subplot(NamedTuple):
     """The lines of a unit, and the visible interval of its axis."""
 
     unit: str
@@ -47,7 +47,7 @@ class Figure(NamedTuple):
     title: str
     across: str
     interval: Interval
-    fields: Sequence[Field]
+    fields: Sequence[Subplot]
 
 
 def figure(
@@ -68,7 +68,7 @@ def figure(
                 for n, x, y in closed_forms(session, columns, these, across)
             ),
         ]
-        fields.append(Field(graph.unit, curves, (graph.up.low, graph.up.high)))
+        fields.append(Subplot(graph.unit, curves, (graph.up.low, graph.up.high)))
     span = graphs[0].across
     label = with_unit_in_brackets(across, units[across])
     title = level_translation.of(session.original)(session.original.title)

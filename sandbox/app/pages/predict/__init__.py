@@ -2,7 +2,7 @@
 
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.predict.panel import PredictPage
-from sandbox.app.pages.predict.predicting import Predicting
+from sandbox.app.pages.predict.predicting import PredictionWorker
 
 PAGE = Page(
     name="predict",
@@ -10,5 +10,5 @@ PAGE = Page(
     key="q",
     text="predict a number, run, and see what explains a difference",
     panel=PredictPage,
-    worker=Predicting,
+    worker=PredictionWorker,
 )

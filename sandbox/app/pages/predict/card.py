@@ -9,7 +9,7 @@ from sandbox.app.cards.checks import TOUCHED
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.predict.judging import LIMITS, Outcome
-from sandbox.app.pages.predict.neglected import Trial, Trying
+from sandbox.app.pages.predict.neglected import Trial, TrialProgress
 from sandbox.app.pages.predict.questions import when
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
@@ -74,7 +74,7 @@ def refused(pen: Pen, width: int, refusal: str) -> pygame.Surface:
 
 def result(
     pen: Pen, width: int, session: Session, outcome: Outcome | None, trials: Sequence[Trial],
-    trying: Trying | None,
+    trying: TrialProgress | None,
 ) -> pygame.Surface:  # fmt: skip
     """Draw the result of a prediction, and the neglected effects that would change it."""
     card = Card(pen, width)
@@ -134,7 +134,7 @@ def _apart(outcome: Outcome, value: float | None) -> str:
 
 
 def _explained(
-    card: Card, outcome: Outcome, trials: Sequence[Trial], trying: Trying | None
+    card: Card, outcome: Outcome, trials: Sequence[Trial], trying: TrialProgress | None
 ) -> None:
     card.y += 8
     card.heading(say("What the level neglects"))

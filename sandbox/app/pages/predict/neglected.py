@@ -15,7 +15,7 @@ from sandbox.physics.run import simulate
 
 
 @dataclass(frozen=True, slots=True)
-class Trying:
+class TrialProgress:
     """The effect being tried, and the share of effects tried before."""
 
     effect: str
@@ -36,7 +36,7 @@ class Trial:
         return formatting.variations(self.effects)
 
 
-def trials(level: Level, values: Values, check: Check) -> Iterator[Trying | Trial]:
+def trials(level: Level, values: Values, check: Check) -> Iterator[TrialProgress | Trial]:
     """Try each effect that a level does not declare, and yield the values of a check's quantity.
 
     Both runs have the same scheme, as on the page of the effects. Effects that are impossible here
@@ -46,7 +46,7 @@ def trials(level: Level, values: Values, check: Check) -> Iterator[Trying | Tria
     names = whatif.addable(level)
     known: dict[str, float | None] = {}
     for i, name in enumerate(names):
-        yield Trying(name, i / len(names))
+        yield TrialProgress(name, i / len(names))
         try:
             plain, more, changes = whatif.changed(alone, Changes(on=(name,)))
             scheme = plain.stepping.scheme

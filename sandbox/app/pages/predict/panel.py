@@ -7,7 +7,7 @@ from pygame_gui.elements import UIButton, UIImage, UISelectionList
 from sandbox.app.drawing import theme
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.predict import card
-from sandbox.app.pages.predict.predicting import Predicting
+from sandbox.app.pages.predict.predicting import PredictionWorker
 from sandbox.app.pages.predict.questions import questions, unit_of, when
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.widgets.text_field import Field
@@ -42,7 +42,7 @@ class PredictPage:
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
-        self._predicting = desk.worker(Predicting)
+        self._predicting = desk.worker(PredictionWorker)
         self._questions: tuple[Check, ...] = ()
         self._head = sheet.image(self._drawn_head(), sheet.margin // 2)
         self.list = self._listed([])

@@ -2,17 +2,17 @@
 
 from typing import TYPE_CHECKING
 
-from sandbox.app.background import Errand
+from sandbox.app.background import BackgroundTask
 from sandbox.app.observing.running_checks import Ration
 from sandbox.app.pages.predict.judging import Outcome, judged
-from sandbox.app.pages.predict.neglected import Trial, Trying, trials
+from sandbox.app.pages.predict.neglected import Trial, TrialProgress, trials
 from sandbox.app.pages.predict.questions import questions, unit_of
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
 from sandbox.app.words.typed_numbers import read
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.level import Check
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 
 if TYPE_CHECKING:
     from sandbox.model.expressions import Values
@@ -22,7 +22,7 @@ PUT_OFF = later("The prediction is postponed: the run can go on.")
 CHANGED = later("The level has changed, and so has the question.")
 
 
-class Predicting(Errand):
+class PredictionWorker(BackgroundTask):
     """Locks a run until the user has predicted its result, and then judges the prediction."""
 
     def __init__(self) -> None:
@@ -42,7 +42,7 @@ class Predicting(Errand):
         self.outcome: Outcome | None = None
         self.trials: list[Trial] = []
         """The results of trying effects that the level neglects."""
-        self.trying: Trying | None = None
+        self.trying: TrialProgress | None = None
         """The effect being tried; None if there is none."""
         self._tried = False
         self._values: Values = {}
@@ -143,14 +143,14 @@ class Predicting(Errand):
     def _try(self, session: Session) -> None:
         self._tried = True
         self._work.start(trials, session.resolved, session.values, self.question)
-        self.trying, self.news = Trying("", 0.0), object()
+        self.trying, self.news = TrialProgress("", 0.0), object()
 
     def _look(self) -> None:
         """Store new results."""
         was_running = self._work.running
         for finding in self._work.found():
             self.news = object()
-            if isinstance(finding, Trying):
+            if isinstance(finding, TrialProgress):
                 self.trying = finding
             else:
                 self.trials.append(finding)

@@ -10,13 +10,13 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.companions import Variant, worst
 from sandbox.app.runs.session import Session
-from sandbox.app.runs.step_clock import Clock
+from sandbox.app.runs.step_timer import Clock
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.run import build
 from sandbox.physics.scene.schemes import usable
 

@@ -12,7 +12,7 @@ from sandbox.app import sounds
 from sandbox.app.cards.card import heading, label
 from sandbox.app.drawing import theme
 from sandbox.app.files import preferences
-from sandbox.app.files.preferences import Comfort
+from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet, below, in_rows
 from sandbox.app.widgets.widget_helpers import press
@@ -41,7 +41,7 @@ class Setting(NamedTuple):
     choices: Sequence[Choice]
 
 
-def settings(comfort: Comfort) -> tuple[Setting, ...]:
+def settings(comfort: WindowPreferences) -> tuple[Setting, ...]:
     """Return all settings, with their options and the active ones."""
     return (
         Setting(say("Theme"), say("Ctrl T takes the next one."), list(_themes(comfort))),
@@ -62,7 +62,7 @@ def settings(comfort: Comfort) -> tuple[Setting, ...]:
     )
 
 
-def _themes(comfort: Comfort) -> Sequence[Choice]:
+def _themes(comfort: WindowPreferences) -> Sequence[Choice]:
     return [
         Choice(
             say(theme.title(name)), say("the colours of the window"),
@@ -72,7 +72,7 @@ def _themes(comfort: Comfort) -> Sequence[Choice]:
     ]  # fmt: skip
 
 
-def _sizes(comfort: Comfort) -> Sequence[Choice]:
+def _sizes(comfort: WindowPreferences) -> Sequence[Choice]:
     chosen = comfort.chosen.size
     suiting = Choice(
         say("Automatic"), say("what suits the screen"), partial(comfort.choose, size=None),
@@ -85,7 +85,7 @@ def _sizes(comfort: Comfort) -> Sequence[Choice]:
     )]  # fmt: skip
 
 
-def _languages(comfort: Comfort) -> Sequence[Choice]:
+def _languages(comfort: WindowPreferences) -> Sequence[Choice]:
     chosen, title = comfort.chosen.language, language.TITLES[language.of_system()]
     system = Choice(
         say("System"), say("the system's language: {language}", language=title),
@@ -97,7 +97,7 @@ def _languages(comfort: Comfort) -> Sequence[Choice]:
     )]  # fmt: skip
 
 
-def _motion(comfort: Comfort) -> Sequence[Choice]:
+def _motion(comfort: WindowPreferences) -> Sequence[Choice]:
     now = comfort.chosen.reduced
     return [
         Choice(
@@ -115,7 +115,7 @@ def _motion(comfort: Comfort) -> Sequence[Choice]:
     ]
 
 
-def _heard(comfort: Comfort) -> str:
+def _heard(comfort: WindowPreferences) -> str:
     """Return a description of the sound, or the reason why there is none although it is on."""
     why = sounds.opened() if comfort.chosen.sound else ""
     if why:
@@ -123,7 +123,7 @@ def _heard(comfort: Comfort) -> str:
     return say("Tones at impacts: deep for heavy bodies, loud for hard impacts.")
 
 
-def _sound(comfort: Comfort) -> Sequence[Choice]:
+def _sound(comfort: WindowPreferences) -> Sequence[Choice]:
     now = comfort.chosen.sound
     return [
         Choice(

@@ -1,6 +1,6 @@
 """Films, made in another process while the window continues."""
 
-from sandbox.app.background import Errand
+from sandbox.app.background import BackgroundTask
 from sandbox.app.film import Kind, film
 from sandbox.app.pages.share.saving import path_for
 from sandbox.app.runs.runfile import run_of
@@ -8,7 +8,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 
 
-class Filming(Errand):
+class Filming(BackgroundTask):
     """Makes one film at a time."""
 
     def __init__(self) -> None:

@@ -9,7 +9,7 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.table.card import values
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.pages.table.stopwatch_controls import Timing
+from sandbox.app.pages.table.stopwatch_controls import StopwatchControls
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import later, say
 
@@ -29,7 +29,7 @@ class TablePage:
         self.save = sheet.button(place, caption, say(TIP))
         """The button that saves the table."""
         self._table = sheet.image(self._drawn(), sheet.margin // 2 + sheet.px(HEIGHT) + 6)
-        self.timing = Timing(sheet, desk.session, desk.worker(Stopwatch))
+        self.timing = StopwatchControls(sheet, desk.session, desk.worker(Stopwatch))
         """The stopwatch."""
         self.update()
 

@@ -8,8 +8,8 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.pages.page import Idle
-from sandbox.app.pages.table.stopwatch_triggers import BY_HAND, Found, Occasion, find
+from sandbox.app.pages.page import IdleWorker
+from sandbox.app.pages.table.stopwatch_triggers import BY_HAND, StopwatchTrigger, TriggerTime, find
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
@@ -43,7 +43,7 @@ class Reading(NamedTuple):
         return theme.NOTICE if self.going else theme.TEXT if self.begun else theme.DIM
 
 
-class Stopwatch(Idle):
+class Stopwatch(IdleWorker):
     """Measures the time between two moments of the run, up to the shown state.
 
     Attributes
@@ -71,11 +71,11 @@ class Stopwatch(Idle):
         """Discard the times of presses by hand."""
         self._began: float | None = None
         self._ended: float | None = None
-        self._known: tuple[LiveRun, dict[Occasion, Found]] | None = None
+        self._known: tuple[LiveRun, dict[StopwatchTrigger, TriggerTime]] | None = None
         self._read: tuple[tuple[object, ...], Reading] | None = None
         self.news = object()
 
-    def choose(self, starts: Occasion, stops: Occasion) -> None:
+    def choose(self, starts: StopwatchTrigger, stops: StopwatchTrigger) -> None:
         """Choose the triggers that start and stop it."""
         self.starts, self.stops = starts, stops
         self.reset()
@@ -108,7 +108,7 @@ class Stopwatch(Idle):
         return self._read[1]
 
     def _found(self, session: Session) -> Reading:
-        dt, now = session.world.dt, Found(session.t, between=False)
+        dt, now = session.world.dt, TriggerTime(session.t, between=False)
         began = self._when(self.starts, self._began, session.run)
         ended = self._when(self.stops, self._ended, session.run)
         if began is None or began.t > now.t:
@@ -119,9 +119,11 @@ class Stopwatch(Idle):
         decimals = _decimals(dt * BETWEEN if sharp else dt)
         return Reading(last.t - began.t, decimals, begun=True, going=going)
 
-    def _when(self, occasion: Occasion, pressed: float | None, run: LiveRun) -> Found | None:
+    def _when(
+        self, occasion: StopwatchTrigger, pressed: float | None, run: LiveRun
+    ) -> TriggerTime | None:
         if occasion.at is None:
-            return None if pressed is None else Found(pressed, between=False)
+            return None if pressed is None else TriggerTime(pressed, between=False)
         if self._known is None or self._known[0] is not run:
             self._known = run, {}
         known = self._known[1]

@@ -6,7 +6,7 @@ from pygame_gui.elements import UISelectionList
 
 from sandbox.app.cards.card import Card, heading, label
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.pages.table.stopwatch_triggers import Occasion, occasions
+from sandbox.app.pages.table.stopwatch_triggers import StopwatchTrigger, occasions
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import say
@@ -16,7 +16,7 @@ HEIGHT = 28  # px, of a button
 GAP = 6  # px
 
 
-class Timing:
+class StopwatchControls:
     """The widgets of a stopwatch on a sheet."""
 
     def __init__(self, sheet: Sheet, session: Session, stopwatch: Stopwatch) -> None:
@@ -39,7 +39,7 @@ class Timing:
         self.starts, self.stops = self._list(stopwatch.starts), self._list(stopwatch.stops)
         """The lists of triggers that start and stop it."""
 
-    def _list(self, chosen: Occasion) -> UISelectionList:
+    def _list(self, chosen: StopwatchTrigger) -> UISelectionList:
         self._known.setdefault(chosen.label, chosen)
         return self._sheet.choices([*self._known], self._sheet.px(LIST), chosen.label)
 

@@ -7,12 +7,12 @@ from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
 from sandbox.app.words.formatting import name_in_words, number
 from sandbox.app.words.language import say
+from sandbox.model.contained_expressions import expressions
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, LandingEvent, Level
 from sandbox.model.level_parts import measured
 from sandbox.model.measuring_instants import Passage
 from sandbox.model.quantities import QuantityError
-from sandbox.model.traversal import expressions
 from sandbox.physics.measuring.grading import time_of
 from sandbox.physics.measuring.recording import Trace, needed_at
 from sandbox.physics.quantities.meter import Meter
@@ -26,7 +26,7 @@ MOST = 60
 """The largest number of triggers offered."""
 
 
-class Occasion(NamedTuple):
+class StopwatchTrigger(NamedTuple):
     """A trigger."""
 
     at: Moment | None
@@ -53,18 +53,18 @@ class Occasion(NamedTuple):
         return say("start of the run")
 
 
-class Found(NamedTuple):
+class TriggerTime(NamedTuple):
     """The time of an event [s], and whether it is known more precisely than a step."""
 
     t: float
     between: bool
 
 
-BY_HAND = Occasion(None)
-AT_ONCE = Occasion(Expression(0))
+BY_HAND = StopwatchTrigger(None)
+AT_ONCE = StopwatchTrigger(Expression(0))
 
 
-def occasions(session: Session) -> list[Occasion]:
+def occasions(session: Session) -> list[StopwatchTrigger]:
     """Return the triggers offered for a run, with the pairs that have touched so far."""
     pairs = (sorted(pair) for pair in session.run.contacts.met if len(pair) == 2)
     met = (ContactEvent(event="contact", bodies=(first, second)) for first, second in pairs)
@@ -87,22 +87,22 @@ def _instants(level: Level) -> Iterator[Moment]:
         yield from (LandingEvent(event="landing", body=name) for name in moving)
 
 
-def _occasion(at: Moment, values: Values) -> Occasion:
+def _occasion(at: Moment, values: Values) -> StopwatchTrigger:
     match at:
         case LandingEvent(height=value) | CrossingEvent(value=value):
-            return Occasion(at, number(value(values), 4))
+            return StopwatchTrigger(at, number(value(values), 4))
         case _:
-            return Occasion(at)
+            return StopwatchTrigger(at)
 
 
-def find(at: Moment, run: LiveRun) -> Found | None:
+def find(at: Moment, run: LiveRun) -> TriggerTime | None:
     """Return the time of an event in a run so far; None if it has not occurred.
 
     An event that names a body or parameter which a changed run lacks has not occurred either.
     """
     if isinstance(at, ContactEvent):
         met = run.contacts.met.get(frozenset(at.bodies))
-        return met and Found(met.t, met.located)
+        return met and TriggerTime(met.t, met.located)
     if any(named.names - run.world.values.keys() for _, named in expressions(at)):
         return None
     try:
@@ -110,7 +110,7 @@ def find(at: Moment, run: LiveRun) -> Found | None:
     except QuantityError:
         return None
     t = time_of(at, trace)
-    return None if t is None else Found(t, between=True)
+    return None if t is None else TriggerTime(t, between=True)
 
 
 def _trace(at: Moment, run: LiveRun) -> Trace:

@@ -27,7 +27,7 @@ from sandbox.app.words.language import say
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
 from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, FreeBody
 from sandbox.physics.measuring.free_body_forces import FreeBodies
 from sandbox.physics.stepping.world import World

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Values
 from sandbox.model.json_positions import Path
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 
 
 class Condition(NamedTuple):

@@ -13,14 +13,14 @@ from sandbox.model.effects.field import Field
 from sandbox.model.effects.potential import Potential
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Array, Expression, NonNegative, Positive, Values
-from sandbox.model.formulas import Function
+from sandbox.model.functions import Function
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.message import Message
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.rules.consistency.mentions import bodies_of_effect
 from sandbox.model.shapes import Point, evaluate
+from sandbox.model.translatable_message import Message
 
 NEAR = 1e-9
 """The distance below which positions count as equal [m]."""

@@ -30,10 +30,10 @@ from sandbox.model.joints import (
 )
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.message import Message, word
 from sandbox.model.number_bounds import Extent
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import evaluate
+from sandbox.model.translatable_message import Message, word
 
 NEAR = 1e-9
 """The tolerance for equal lengths, as a share or in m."""

@@ -10,9 +10,9 @@ from sandbox.model.errors import brief
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions, names_in
-from sandbox.model.message import Message
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import Point, Polygon, Polyline, Segment, evaluate, fault, points_of
+from sandbox.model.translatable_message import Message
 from sandbox.model.view import Landscape
 
 MAX_STEPS = 10_000_000

@@ -8,13 +8,13 @@ import numpy as np
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Array, Values
-from sandbox.model.formulas import Formula
+from sandbox.model.functions import Formula
 from sandbox.model.joints import Rod
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
-from sandbox.model.message import Message
 from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.translatable_message import Message
 
 MOST = 1000
 """The most times at which a formula is evaluated; each step, if there are fewer."""

@@ -11,10 +11,10 @@ from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Wire, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.message import Message, word
 from sandbox.model.number_bounds import Coordinate
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import Curve
+from sandbox.model.translatable_message import Message, word
 from sandbox.model.wires import NEAR, PIECES, Points, along, is_closed, places
 
 COARSE = 256

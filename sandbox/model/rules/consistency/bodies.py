@@ -6,9 +6,9 @@ from sandbox.model.body import Body
 from sandbox.model.errors import brief
 from sandbox.model.level import ApexEvent, LandingEvent, Level
 from sandbox.model.level_parts import Fault, instants
-from sandbox.model.message import Message, word
 from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
 from sandbox.model.shapes import Arc, Area, Curve, Hoop, Line, Polygon, Polyline, Shape
+from sandbox.model.translatable_message import Message, word
 
 MAX_MOTIONS = 1000
 """The most kinematic bodies with a motion: so many take 0.8 s to check."""

@@ -7,8 +7,8 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import Message
 from sandbox.model.rules.consistency.mentions import named_parameters
+from sandbox.model.translatable_message import Message
 
 
 def known_parameters(level: Level) -> Iterator[Fault]:

@@ -7,15 +7,15 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Held, points
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import Message, either, word
 from sandbox.model.rules.consistency.bodies import given
+from sandbox.model.rules.consistency.contacts import coefficients_fit, undeclared
 from sandbox.model.rules.consistency.mentions import (
     acted_on,
     bodies_of_effect,
     lists_of_bodies,
 )
-from sandbox.model.rules.consistency.surfaces import coefficients_fit, undeclared
 from sandbox.model.shapes import Area
+from sandbox.model.translatable_message import Message, either, word
 
 
 def laws_act(level: Level) -> Iterator[Fault]:

@@ -9,10 +9,10 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.measuring_instants import CrossingEvent
-from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.rules.consistency.mentions import mentions
 from sandbox.model.switched_forces import switchable
+from sandbox.model.translatable_message import Message
 
 
 def known_parts(level: Level) -> Iterator[Fault]:

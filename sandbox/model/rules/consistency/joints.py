@@ -7,9 +7,9 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Joint, Own, Rod, Spring, Wire, bodies_of, body_of, is_exact, points
 from sandbox.model.level import Level, is_direct
 from sandbox.model.level_parts import Fault, names_in
-from sandbox.model.message import Message
 from sandbox.model.rules.consistency.mentions import bodies_of_flows
 from sandbox.model.shapes import Curve
+from sandbox.model.translatable_message import Message
 
 MAX_WIRES = 200
 """The most wires and curves in a level: checking one takes 3 ms, at the defaults and at both ends

@@ -26,11 +26,11 @@ def take_bounces(space: pymunk.Space, level: Level, values: Values) -> np.ndarra
     """
     for shape in space.shapes:
         shape.elasticity = 0.0
-    stand_proud(space)
+    add_skin(space)
     return pair_coefficients(level, values, "restitution")
 
 
-def stand_proud(space: pymunk.Space) -> None:
+def add_skin(space: pymunk.Space) -> None:
     """Give discs a skin, as other shapes have."""
     for shape in space.shapes:
         if isinstance(shape, pymunk.Circle):

@@ -40,7 +40,7 @@ class Load(NamedTuple):
     before: float | None = None
 
 
-class Freed(NamedTuple):
+class BreakawayImpulse(NamedTuple):
     """The impulse by which the friction of a contact was lowered when it broke loose."""
 
     body: int
@@ -65,7 +65,7 @@ class Sticking:
     loads: dict[frozenset[pymunk.Shape], Load]
     must_slip: bool = False
     """whether it slips, regardless of the solver"""
-    freed: dict[frozenset[pymunk.Shape], Freed] = field(default_factory=dict)
+    freed: dict[frozenset[pymunk.Shape], BreakawayImpulse] = field(default_factory=dict)
     """of the contacts that broke loose in the last kick"""
 
     @classmethod
@@ -135,7 +135,7 @@ class Sticking:
         impulse = arbiter.normal.perpendicular() * (excess if slip > 0 else -excess)
         first, second = points = _points(arbiter)
         row = arbiter.shapes[1].collision_type - 1
-        self.freed[frozenset(arbiter.shapes)] = Freed(row, impulse, (second, first))
+        self.freed[frozenset(arbiter.shapes)] = BreakawayImpulse(row, impulse, (second, first))
         for body, change, point in zip(arbiter.bodies, (-impulse, impulse), points, strict=True):
             if body.body_type == pymunk.Body.DYNAMIC:
                 body.apply_impulse_at_world_point(change, point)

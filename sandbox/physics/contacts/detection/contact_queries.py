@@ -9,7 +9,7 @@ import pymunk
 
 from sandbox.physics.contacts.shapes.collision_filter import meets
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
-from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.geometry.outline_distance import dot
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ Points = tuple[complex, complex]
 """The contact point of two shapes, on the surface of each [m]."""
 
 
-class Touched(NamedTuple):
+class ShapeContact(NamedTuple):
     """A contact of a shape.
 
     The unit normal points towards the other body, `body` of pymunk. There are one or two contact
@@ -37,7 +37,7 @@ def touched(
     shape: pymunk.Shape,
     hollows: Hollows | None,
     gates: "Gates | None" = None,
-) -> Iterator[Touched]:
+) -> Iterator[ShapeContact]:
     """Yield the contacts of a shape, those with other shapes of its own body as well."""
     for hit in space.shape_query(shape):
         found = hit.contact_point_set
@@ -50,13 +50,13 @@ def touched(
         verdict = hollows.judge(shape, hit.shape) if hollows else True
         if hollows and not isinstance(verdict, bool):
             normal, *points = hollows.sides(shape, verdict)
-            yield Touched(hit.shape.body, normal, [(points[0], points[1])], verdict.depth)
+            yield ShapeContact(hit.shape.body, normal, [(points[0], points[1])], verdict.depth)
         elif verdict:
             both = [(complex(*p.point_a), complex(*p.point_b)) for p in found.points]
             normal = complex(*found.normal)
             # pymunk's own distance has the wrong sign if it takes the other shape first
             depth = max(dot(here - there, normal) for here, there in both)
-            yield Touched(hit.shape.body, normal, both, depth)
+            yield ShapeContact(hit.shape.body, normal, both, depth)
 
 
 class Query:
@@ -83,7 +83,7 @@ class Query:
         the others keep the known ones. `moved` are the rows of the moved bodies; overlaps of at
         least `least` [m] count as deep.
         """
-        found: dict[tuple[int, int], list[Touched]] = {}
+        found: dict[tuple[int, int], list[ShapeContact]] = {}
         for row, other, contact in self._found(moved):
             found.setdefault((row, other), []).append(contact)
         pairs = pairs_of(known)
@@ -101,7 +101,7 @@ class Query:
         rest = Contacts._make(field[keep] for field in known)
         return rest.and_(contacts_of(new)).in_order()
 
-    def _found(self, moved: Collection[int]) -> Iterator[tuple[int, int, Touched]]:
+    def _found(self, moved: Collection[int]) -> Iterator[tuple[int, int, ShapeContact]]:
         """Yield the rows of two bodies that touch, the lower first, and their contact."""
         for row in moved:
             self._space.reindex_shapes_for_body(self.bodies[row])
@@ -121,13 +121,13 @@ def pairs_of(contacts: Contacts) -> list[tuple[int, int]]:
     return [(a, b) if a < b else (b, a) for a, b in contacts.bodies.tolist()]
 
 
-def _deep(contacts: Sequence[Touched], least: float) -> int:
+def _deep(contacts: Sequence[ShapeContact], least: float) -> int:
     """Return the number of points with more than the least overlap [m]."""
     pairs = ((contact.normal, *point) for contact in contacts for point in contact.points)
     return sum(dot(here - there, normal) > least for normal, here, there in pairs)
 
 
-def contacts_of(found: dict[tuple[int, int], list[Touched]]) -> Contacts:
+def contacts_of(found: dict[tuple[int, int], list[ShapeContact]]) -> Contacts:
     """Return contacts in the form of a step's, without impulses."""
     rows = [(pair, contact) for pair, contacts in found.items() for contact in contacts]
     count = len(rows)

@@ -11,8 +11,8 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.model.message import Message
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.model.translatable_message import Message
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.state.errors import SimulationError
 
 MOST_PAIRS = 60_000

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.geometry.outline_distance import FLUSH, Gap, Outline, dot, gap
 
 TOUCH = -1e-9

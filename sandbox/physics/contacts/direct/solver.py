@@ -24,28 +24,28 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
-from sandbox.physics.contacts.direct.drifts.crowds import stopped
-from sandbox.physics.contacts.direct.drifts.drift_parts import Landed, Part
+from sandbox.physics.contacts.direct.drifts.drift_parts import CutDrift, DriftPart
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
-from sandbox.physics.contacts.direct.drifts.landing_drifts import Landings
-from sandbox.physics.contacts.direct.drifts.slip_stops import slip_ends
-from sandbox.physics.contacts.direct.kicks.closing_gaps import closed
+from sandbox.physics.contacts.direct.drifts.landing_drifts import DriftCutter
+from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
+from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
-from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
-from sandbox.physics.contacts.direct.kicks.kick_with_impacts import Beginning, take
+from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult, Stage
+from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, take
+from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
-from sandbox.physics.engine.batch import Batch, Booleans, Contacts
+from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 
-class Direct:
+class DirectSolver:
     """Solves contacts and exact joints together; n bodies.
 
     `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved.
@@ -83,7 +83,7 @@ class Direct:
         self.stages: tuple[Stage, ...] = ()
         self.drifts = Drifts(len(inertia))
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
-        self._taken: Taken | None = None  # the kick now, if contacts were solved in it
+        self._taken: KickResult | None = None  # the kick now, if contacts were solved in it
 
     @property
     def contacts(self) -> Contacts:
@@ -204,7 +204,7 @@ class Direct:
         taken = self._closed(taken, start)
         self._keep(taken, start)
 
-    def _keep(self, taken: Taken, start: Beginning) -> None:
+    def _keep(self, taken: KickResult, start: KickStart) -> None:
         """Set the velocities after a kick, and remember it."""
         leaning = taken.kick.leaning(taken.moved, taken.forces)
         if leaning is not None:
@@ -214,11 +214,11 @@ class Direct:
         self._known.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.total, taken.active)
 
-    def _closed(self, taken: Taken, start: Beginning) -> Taken:
+    def _closed(self, taken: KickResult, start: KickStart) -> KickResult:
         """Return a kick after which slow corners have come down; see `closed`."""
         look, build, laws = self._speculative, self._build, start.acceleration
 
-        def again(_: Taken, kick: Kick) -> Taken:
+        def again(_: KickResult, kick: Kick) -> KickResult:
             return take(kick, start, self._known)
 
         taken, strikes = closed(taken, look, build, laws, again, locates=self._locates)
@@ -242,7 +242,7 @@ class Direct:
         joints = self._joints
         return not self._starts and joints.kick == joints.drift == self._dt
 
-    def _divide(self, kick: Kick, start: Beginning) -> None:
+    def _divide(self, kick: Kick, start: KickStart) -> None:
         """Take the drift after a kick in parts, and set its mean velocities."""
         takes = partial(take, start=start, known=self._known)
         found = through(kick, start.acceleration, self._until, takes)
@@ -254,7 +254,7 @@ class Direct:
         self._known.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.whole, first.active)
 
-    def _land(self, until: float, stopped: Booleans | None = None) -> Landed | None:
+    def _land(self, until: float, stopped: Booleans | None = None) -> CutDrift | None:
         """Locate the landings in the drift after a kick, which ends at a time [s].
 
         Crowds are stopped, and what is left is looked at again, without those that are `stopped`.
@@ -274,7 +274,7 @@ class Direct:
         if not (lands or len(slip_ends(whole, laws))):
             return None
         driven, calm = self._driven(), self._none if stopped is None else stopped
-        landings = Landings(look, self._build, laws, until, driven=driven, stopped=calm)
+        landings = DriftCutter(look, self._build, laws, until, driven=driven, stopped=calm)
         parts = landings.follow(whole)
         if landings.crowd.any():
             self._stop(whole.kick, crowd := landings.crowd | calm)
@@ -282,7 +282,7 @@ class Direct:
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
-        landed = Landed(whole, parts, laws, landings.reached, start)
+        landed = CutDrift(whole, parts, laws, landings.reached, start)
         divided = landed.divided
         ways = (divided.end - start) / self._dt
         mean = np.where(landed.reached[:, None], ways, divided.left)
@@ -299,20 +299,20 @@ class Direct:
         taken = self._taken or again(kick)
         self._keep(stopped(taken, crowded, self._speculative, self._build, again), start)
 
-    def _whole(self, place: Coordinates, moved: Array) -> Part:
+    def _whole(self, place: Coordinates, moved: Array) -> DriftPart:
         """Return the drift after a kick as one part, with velocities (3 N,)."""
         dt, joints = self._dt, self._joints
         if self._taken:
-            return Part.after(self._taken, dt, moved)
+            return DriftPart.after(self._taken, dt, moved)
         begun, taut = self._spread(self._begun)[0], joints.expected()[1]
         held = Active(taut, np.zeros(0, dtype=np.intp))
         lasts, kick = joints.kick, self._build.at(place)
-        return Part(kick, dt, dt, begun, lasts, joints.tension, held, moved)
+        return DriftPart(kick, dt, dt, begun, lasts, joints.tension, held, moved)
 
-    def _beginning(self) -> Beginning:
+    def _beginning(self) -> KickStart:
         """Return the state and the forces at the beginning of this kick."""
         begun, acts, change = self._spread(self._begun, self._acceleration, self._change)
-        return Beginning(begun, acts, change, self._lead, self._dt, self._driven())
+        return KickStart(begun, acts, change, self._lead, self._dt, self._driven())
 
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""

@@ -3,7 +3,7 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 
 
 def point_velocity(rate: Array, arm: Array) -> Array:

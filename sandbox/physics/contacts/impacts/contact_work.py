@@ -6,11 +6,11 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.impacts.contact_kinematics import point_velocity
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.state.motion import Motion
 
 
-class Kick(NamedTuple):
+class KickRecord(NamedTuple):
     """The data of a kick for the books; n bodies.
 
     `t` and `length` are its time and length [s], and `seen` is the motion that the force laws see
@@ -89,9 +89,9 @@ def rubbing(
 ) -> tuple[float, dict[str, float]]:
     """Return the work of friction, and the energy from kinematic bodies and belts [J].
 
-    `contacts` are those of a kick, and `place`, `mean` and `inertia` are as in a `Kick`. `running`,
-    (n, 2), are the velocities of the bodies' running surfaces [m/s]; `turned`, (k,), are the
-    angular impulses of the contacts on their second bodies, see `couples`.
+    `contacts` are those of a kick, and `place`, `mean` and `inertia` are as in a `KickRecord`.
+    `running`, (n, 2), are the velocities of the bodies' running surfaces [m/s]; `turned`, (k,), are
+    the angular impulses of the contacts on their second bodies, see `couples`.
     """
     along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
     friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along

@@ -18,9 +18,9 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.impacts.contact_kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
-from sandbox.physics.contacts.impacts.post_impact_velocity import reached
-from sandbox.physics.contacts.impacts.simultaneous_impacts import ROUNDING, Pile
-from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
+from sandbox.physics.contacts.impacts.impact_step_velocity import reached
+from sandbox.physics.contacts.impacts.pile_impacts import ROUNDING, Pile
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Batch, Booleans, Contacts, Integers
 
 FAINTEST = 1e-290
 """m/s: slower approaches count as zero. The smallest numbers have few digits, so rounding is no

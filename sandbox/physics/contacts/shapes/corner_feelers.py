@@ -20,7 +20,7 @@ FELT = 0.5
 share of the shape's length, or of the radius of an arc."""
 
 
-class Made(NamedTuple):
+class ShapedBody(NamedTuple):
     """A body with contact shapes.
 
     `row` is its index, `spec` its description in the level, and `body` the body in pymunk; `points`
@@ -39,7 +39,7 @@ class Made(NamedTuple):
         return self.spec.type == "dynamic"
 
 
-def half_of(body: Made, values: Values, skin: float) -> float:
+def half_of(body: ShapedBody, values: Values, skin: float) -> float:
     """Return half the thickness of a line, with the skin [m]."""
     shape = body.spec.shape
     assert isinstance(shape, Segment | Polyline | Curve)

@@ -14,10 +14,10 @@ import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
-from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.engine.pre_solve_contact import Meeting, address
-from sandbox.physics.geometry.arcs import Piece, Placed, Touch, Verdict, way_along
-from sandbox.physics.geometry.curves import verdict
+from sandbox.physics.engine.pre_solve_contact import PreSolveContact, address
+from sandbox.physics.engine.space_arrays import Contacts
+from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, Verdict, way_along
+from sandbox.physics.geometry.curve_contacts import verdict
 
 Shapes = tuple[int, int]
 """Two shapes of pymunk, by their addresses."""
@@ -64,7 +64,7 @@ class Hollows:
 
     def correct(self, arbiter: pymunk.Arbiter) -> bool:
         """Correct a contact before it is solved, and return whether there is one."""
-        meeting = Meeting(arbiter)
+        meeting = PreSolveContact(arbiter)
         one, other = meeting.shapes
         pair = min(one, other), max(one, other)  # pymunk may swap them from step to step
         found = self._judge((one, other), *meeting.places())
@@ -83,7 +83,7 @@ class Hollows:
 
     def leave(self, arbiter: pymunk.Arbiter) -> None:
         """Forget a contact that was removed elsewhere."""
-        one, other = Meeting(arbiter).shapes
+        one, other = PreSolveContact(arbiter).shapes
         self._touching.pop((min(one, other), max(one, other)), None)
         self._along.pop((min(one, other), max(one, other)), None)
 
@@ -105,7 +105,7 @@ class Hollows:
         curve it is made to return in the same way: with the velocity for which its distance is the
         same after the drift.
         """
-        meeting = Meeting(arbiter)
+        meeting = PreSolveContact(arbiter)
         one, other = meeting.shapes
         pair = min(one, other), max(one, other)
         found = self._touching.get(pair)

@@ -10,15 +10,15 @@ import pymunk
 from sandbox.model.body import Body
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve as CurveShape
+from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.shapes.corner_feelers import (
     FELT,
     HOLLOW,
     ORDINARY,
-    Made,
+    ShapedBody,
     core_of,
     half_of,
     make_feeler,
@@ -27,9 +27,9 @@ from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
 from sandbox.physics.contacts.shapes.line_ends import make_ends
 from sandbox.physics.engine.bodies import center_of, local_points
-from sandbox.physics.geometry.arcs import Arc, Piece
+from sandbox.physics.geometry.arc_contacts import Arc, Piece
 from sandbox.physics.geometry.convex_decomposition import convex_parts
-from sandbox.physics.geometry.curves import course_of
+from sandbox.physics.geometry.curve_contacts import course_of
 from sandbox.physics.geometry.plane_curve import Course, Side
 from sandbox.physics.state.errors import SimulationError
 
@@ -65,7 +65,7 @@ def make_hollow(
 
 def _make(
     space: pymunk.Space,
-    made: Mapping[str, Made],
+    made: Mapping[str, ShapedBody],
     pairs: Sequence[tuple[str, str]],
     values: Values,
     skin: float,
@@ -88,13 +88,15 @@ def _make(
     return hollows
 
 
-def _made(row: int, spec: Body, values: Values, shapes: Sequence[pymunk.Shape]) -> Made:
+def _made(row: int, spec: Body, values: Values, shapes: Sequence[pymunk.Shape]) -> ShapedBody:
     body = shapes[0].body
     assert body is not None
-    return Made(row, spec, body, shapes, [complex(*point) for point in local_points(spec, values)])
+    return ShapedBody(
+        row, spec, body, shapes, [complex(*point) for point in local_points(spec, values)]
+    )
 
 
-def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple[str, str]]:
+def _pairs(level: Level, values: Values, made: Mapping[str, ShapedBody]) -> list[tuple[str, str]]:
     """Return the pairs of a body that may be touched from inside, and the body that may do so."""
     found = []
     effects = level.effects
@@ -119,7 +121,7 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
     return found
 
 
-def _width(body: Made) -> float:
+def _width(body: ShapedBody) -> float:
     """Return the larger side of a body's bounding box along its own axes [m]."""
     low = np.min([_box(shape)[0] for shape in body.shapes], axis=0)
     high = np.max([_box(shape)[1] for shape in body.shapes], axis=0)
@@ -133,7 +135,9 @@ def _box(shape: pymunk.Shape) -> tuple[list[float], list[float]]:
     return [min(x) - radius, min(y) - radius], [max(x) + radius, max(y) + radius]
 
 
-def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Made) -> None:
+def _refuse_within(
+    name: str, hollow: ShapedBody, radius: float, other: str, body: ShapedBody
+) -> None:
     """Refuse a body that starts in a hoop, as first contacts from inside are not located."""
     if abs(complex(*hollow.body.position) - complex(*body.body.position)) < radius:
         rule = Message(
@@ -173,7 +177,7 @@ def line_of(row: int, spec: Body, values: Values, skin: float) -> Arc | Course:
 
 
 def _pieces(
-    made: Mapping[str, Made],
+    made: Mapping[str, ShapedBody],
     lines: Mapping[str, Arc | Course],
     values: Values,
     pairs: Sequence[tuple[str, str]],
@@ -202,7 +206,7 @@ def _radius(shape: pymunk.Shape) -> float:
     return shape.radius
 
 
-def _cores(body: Made) -> list[list[complex]]:
+def _cores(body: ShapedBody) -> list[list[complex]]:
     """Return the cores of a body's shapes; of polygons, the exact corners.
 
     Those in pymunk are slightly smaller, because of their radius.
@@ -217,7 +221,7 @@ def _cores(body: Made) -> list[list[complex]]:
 
 
 def _feelers(
-    made: Mapping[str, Made], pairs: Sequence[tuple[str, str]], skin: float
+    made: Mapping[str, ShapedBody], pairs: Sequence[tuple[str, str]], skin: float
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
     """Yield a feeler for each corner that may touch an arc from inside."""
     for other in dict.fromkeys(other for _, other in pairs):

@@ -9,11 +9,11 @@ from itertools import chain, islice, product
 
 import pymunk
 
-from sandbox.model.message import Message
 from sandbox.model.shapes import Hoop
+from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.shapes.collision_filter import keep_apart
-from sandbox.physics.contacts.shapes.corner_feelers import Made, core_of
-from sandbox.physics.geometry.arcs import Arc
+from sandbox.physics.contacts.shapes.corner_feelers import ShapedBody, core_of
+from sandbox.physics.geometry.arc_contacts import Arc
 from sandbox.physics.geometry.plane_curve import Course
 from sandbox.physics.state.errors import SimulationError
 
@@ -33,7 +33,7 @@ class Enclosures:
     def __init__(
         self,
         space: pymunk.Space,
-        made: Mapping[str, Made],
+        made: Mapping[str, ShapedBody],
         lines: Mapping[str, Arc | Course],
     ) -> None:
         self._space, self._made, self._lines = space, made, lines

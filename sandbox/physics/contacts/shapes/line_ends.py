@@ -18,12 +18,12 @@ from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Polyline, Segment
 from sandbox.physics.contacts.shapes.corner_feelers import (
     FELT,
-    Made,
+    ShapedBody,
     disc_like,
     half_of,
     make_feeler,
 )
-from sandbox.physics.geometry.arcs import Arc, Piece
+from sandbox.physics.geometry.arc_contacts import Arc, Piece
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.geometry.plane_curve import Course
 
@@ -40,12 +40,12 @@ class _End(NamedTuple):
     place: complex  # in the plane
     onwards: complex  # the unit vector in which it would continue
     half: float  # half its thickness
-    made: Made
+    made: ShapedBody
     first: bool  # whether it is the first end
 
 
 def make_ends(
-    made: Mapping[str, Made], lines: Mapping[str, Arc | Course], values: Values, skin: float
+    made: Mapping[str, ShapedBody], lines: Mapping[str, Arc | Course], values: Values, skin: float
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
     """Yield the round ends of arcs and curves, with feelers, unless another line joins there."""
     straight = [end for body in made.values() for end in _line_ends(body, values, skin)]
@@ -101,7 +101,9 @@ def _meets(end: _End, other: _End) -> bool:
     return still and near and other is not end
 
 
-def _round_ends(body: Made, line: Arc | Course, values: Values, skin: float) -> Iterator[_End]:
+def _round_ends(
+    body: ShapedBody, line: Arc | Course, values: Values, skin: float
+) -> Iterator[_End]:
     """Yield the ends of an arc or curve; a closed one has none."""
     shape = body.spec.shape
     place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
@@ -118,7 +120,7 @@ def _round_ends(body: Made, line: Arc | Course, values: Values, skin: float) -> 
             yield _End(at, sign * out, half, body, angle == shape.start(values))
 
 
-def _line_ends(body: Made, values: Values, skin: float) -> Iterator[_End]:
+def _line_ends(body: ShapedBody, values: Values, skin: float) -> Iterator[_End]:
     shape = body.spec.shape
     if not isinstance(shape, Segment | Polyline) or body.spec.type != "static":
         return

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import pymunk
 
 from sandbox.model.body import Body
-from sandbox.model.collision_filter import apart
+from sandbox.model.excluded_pairs import apart
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import Arc as ArcShape
@@ -30,10 +30,10 @@ from sandbox.model.shapes import Curve, Polyline, Segment
 from sandbox.physics.contacts.shapes.corner_feelers import core_of
 from sandbox.physics.contacts.shapes.hollow_shapes import line_of
 from sandbox.physics.engine.bodies import local_points
-from sandbox.physics.engine.pre_solve_contact import Meeting, address
-from sandbox.physics.geometry.arcs import Arc, Placed, put
+from sandbox.physics.engine.pre_solve_contact import PreSolveContact, address
+from sandbox.physics.geometry.arc_contacts import Arc, Placed, put
 from sandbox.physics.geometry.outline_distance import dot, plain
-from sandbox.physics.geometry.sides import Curved, Line, Round, Straight, side
+from sandbox.physics.geometry.side_of_line import Curved, Line, Round, Straight, side
 
 Pair = tuple[int, int]
 """The rows of a one-way surface and of a body that may touch it."""
@@ -110,7 +110,7 @@ class Gates:
 
         `accept` tells whether to accept a valid contact in pymunk, unless that was done elsewhere.
         """
-        meeting = Meeting(arbiter)
+        meeting = PreSolveContact(arbiter)
         one, other = (self._rows[shape] for shape in meeting.shapes)
         for pair, sign in (((one, other), 1), ((other, one), -1)):
             if (gate := self._gates.get(pair[0])) is None:
@@ -161,7 +161,7 @@ class Gates:
         ]
         return min(seen, key=itemgetter(1))[0] if all(hand for hand, _ in seen) else 0
 
-    def _is_right(self, gate: _Gate, row: int, meeting: Meeting, sign: int) -> bool:
+    def _is_right(self, gate: _Gate, row: int, meeting: PreSolveContact, sign: int) -> bool:
         """Return whether a contact pushes the body to the side on which it is held."""
         at, turned = _placed(self._bodies[row])
         left = gate.line.beside((meeting.point - at) / turned).left * turned

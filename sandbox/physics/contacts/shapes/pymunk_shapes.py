@@ -25,7 +25,7 @@ from sandbox.model.shapes import (
 )
 from sandbox.physics.engine.bodies import center_of, local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
-from sandbox.physics.geometry.curves import course_of
+from sandbox.physics.geometry.curve_contacts import course_of
 from sandbox.physics.geometry.outline_distance import smallest
 from sandbox.physics.geometry.plane_curve import Stretch
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     MAX_ITERATIONS,

@@ -8,9 +8,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.model.wires import Points
-from sandbox.physics.geometry.quintic_interpolation import Quintics
+from sandbox.physics.geometry.quintic_curve import Quintics
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Share
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure

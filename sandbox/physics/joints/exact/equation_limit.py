@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.joints.exact.constraint_interface import Condition
 from sandbox.physics.joints.exact.separate_joints import are_apart
 from sandbox.physics.state.errors import JointFailure

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
-from sandbox.model.message import Message
-from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.joints.exact.angles import Turn
+from sandbox.model.translatable_message import Message
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.joints.exact.angle_equations import AngleEquation
 from sandbox.physics.joints.exact.constraint_interface import (
     Condition,
     Coordinates,
@@ -20,7 +20,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     angles,
     planes,
 )
-from sandbox.physics.joints.exact.distances import Reaches, Row
+from sandbox.physics.joints.exact.distance_equations import Reaches, Row
 from sandbox.physics.state.errors import JointFailure
 
 
@@ -39,8 +39,8 @@ class Equations:
         self.rows, self.others = rows, others
         self.names = [equation.joint for equation in equations]
         """The joint of each equation."""
-        turns = [isinstance(equation, Turn) for equation in equations]
-        self.senses = [e.sense if isinstance(e, Turn) else 1 for e in equations]
+        turns = [isinstance(equation, AngleEquation) for equation in equations]
+        self.senses = [e.sense if isinstance(e, AngleEquation) else 1 for e in equations]
         """The sense in which an angle's equation turns its second body if it pushes, else 1."""
         self.pulling, self.turning = (_by_joint(equations, turns, way) for way in (False, True))
         """The equations of each joint that keep no angle, and those that keep one."""

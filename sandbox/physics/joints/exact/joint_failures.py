@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.message import Message
-from sandbox.physics.engine.batch import Integers
+from sandbox.model.translatable_message import Message
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Rows
-from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.exact.equations import Equations
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.solvability import independence, steps_needed

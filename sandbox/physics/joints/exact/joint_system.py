@@ -6,8 +6,8 @@ from functools import cached_property
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Batch, Booleans
-from sandbox.physics.joints.exact.banded import FEWEST, Banded
+from sandbox.physics.engine.space_arrays import Batch, Booleans
+from sandbox.physics.joints.exact.banded_systems import FEWEST, Banded
 from sandbox.physics.joints.exact.constraint_interface import (
     Coordinates,
     Equation,
@@ -16,7 +16,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     order,
     planes,
 )
-from sandbox.physics.joints.exact.distances import Reaches, Row
+from sandbox.physics.joints.exact.distance_equations import Reaches, Row
 from sandbox.physics.joints.exact.equations import Equations
 
 

@@ -1,7 +1,7 @@
 """RATTLE: velocities and accelerations that satisfy exact joints at the instant of a step."""
 
 from sandbox.model.expressions import Array
-from sandbox.physics.joints.exact.banded import Banded
+from sandbox.physics.joints.exact.banded_systems import Banded
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.solvability import solved

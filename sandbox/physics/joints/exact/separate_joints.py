@@ -8,7 +8,7 @@ from math import hypot
 from typing import Protocol
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Batch
+from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.joints.exact.bead_on_wire import WireEquation
 from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
@@ -16,7 +16,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     QUADRATIC,
     Condition,
 )
-from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.joints.exact.distance_equations import Row
 
 
 class Rod:
@@ -111,7 +111,7 @@ class Bead:
         return impulse
 
 
-class Alone(Protocol):
+class SeparateJoint(Protocol):
     """A joint that is solved by itself."""
 
     def solve(self, length: float, guess: float, drift: float) -> float:
@@ -123,13 +123,13 @@ class Alone(Protocol):
 
 def alone(
     equations: Sequence[Condition], batch: Batch, inverse: Array, origin: complex
-) -> list[Alone]:
+) -> list[SeparateJoint]:
     """Return a joint for each equation, to be solved by itself; none if some are coupled.
 
     `inverse` are the inverse masses, (n + 1,), 0 of bodies that do not move, the plane last [1/kg].
     Points of the plane are relative to the origin [m].
     """
-    found: list[Alone] = []
+    found: list[SeparateJoint] = []
     if not are_apart(equations, inverse):
         return found
     for equation in equations:

@@ -16,9 +16,8 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.joints.exact.banded import Banded
-from sandbox.physics.joints.exact.constraint_forces import ConstraintForces
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.joints.exact.banded_systems import Banded
 from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     MAX_ITERATIONS,
@@ -27,7 +26,8 @@ from sandbox.physics.joints.exact.constraint_interface import (
     Equation,
     Rows,
 )
-from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.joints.exact.distance_equations import Row
+from sandbox.physics.joints.exact.force_history import ConstraintForces
 from sandbox.physics.joints.exact.joint_failures import check_independent, lost, overlapping
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.separate_joints import alone

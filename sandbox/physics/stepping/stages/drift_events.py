@@ -11,8 +11,8 @@ as at the start of a run: from an event within a drift they could not be located
 
 A joint that breaks is an event like others, which waits for its force. If several joints are
 overloaded at once, the most overloaded one breaks first, and may relieve the rest. For a blow see
-`events/joint_breaking.py`. Tying a joint, or a bounce off a stop, changes velocities at once, in a
-*jolt*: see `events/joint_impacts.py`.
+`events/breaking_at_impact.py`. Tying a joint, or a bounce off a stop, changes velocities at once,
+in a *jolt*: see `events/joint_impacts.py`.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -21,23 +21,23 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model.acting_events import Happening, happenings, loads
+from sandbox.model.acting_events import SingleEvent, happenings, loads
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.energy.taut_ropes import reached
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.elastic_stops import Bounces
-from sandbox.physics.events.joint_breaking import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
 from sandbox.physics.events.switching_events import Part, acted, acted_at_a_step, stored
 from sandbox.physics.joints.joint_changes import catch, let_go
-from sandbox.physics.joints.joint_forces import Pulls, pulls_of
+from sandbox.physics.joints.joint_forces import JointForces, pulls_of
 from sandbox.physics.state.motion import Instant
-from sandbox.physics.stepping.next_event import Waiting
+from sandbox.physics.stepping.next_event import EventFinder
 from sandbox.physics.stepping.stage import Setup, Stage
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
 
 Act = Callable[[float], None]
 """Performs an event at a time [s]."""
@@ -48,7 +48,7 @@ MOST = 1000
 
 def make(setup: Setup) -> Stage:
     """Make the stage."""
-    acting = Acting(setup)
+    acting = EventStage(setup)
     return Stage(
         before_drift=acting.look,
         started=acting.start,
@@ -58,7 +58,7 @@ def make(setup: Setup) -> Stage:
     )
 
 
-class Acting:
+class EventStage:
     """Waits for the events of a level, and performs them; n bodies."""
 
     def __init__(self, setup: Setup) -> None:
@@ -68,12 +68,14 @@ class Acting:
         self._touching = level.effects.contact is not None
         found = happenings(level.events, level.joints, setup.values)
         self._pending = {name: one for name, one in found.items() if name not in scene.happened}
-        self._waiting = Waiting(setup, self._pending)
+        self._waiting = EventFinder(setup, self._pending)
         self._borne = loads(level.joints, setup.values)
         self._bounces = Bounces.of(scene, level, setup.values, self._borne, self._dt)
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
-        self._past: tuple[Pulls, Pulls] | None = None  # in the last kick and the one before
+        self._past: tuple[JointForces, JointForces] | None = (
+            None  # in the last kick and the one before
+        )
         self._parts: list[Part] = []
         self._jolts: list[Jolt] = []
         self._switched = 0.0
@@ -115,7 +117,7 @@ class Acting:
             self._go_on(parts[-1], state)
 
     @property
-    def _landing(self) -> "Divided | None":
+    def _landing(self) -> "DividedDrift | None":
         """The coming drift, if it is taken in parts."""
         return self._scene.direct.drifts.divided if self._scene.direct else None
 
@@ -259,7 +261,7 @@ class Acting:
         found = (after - state[1]) / lasts[0]
         return np.where((wild | self._fixed)[:, None], part.acceleration, found)
 
-    def _throw(self, name: str, happening: Happening, t: float) -> None:
+    def _throw(self, name: str, happening: SingleEvent, t: float) -> None:
         """Cut, tie, switch and reverse what an event names, at a time [s]."""
         scene, (_, cut, tie, on, off, reverse) = self._scene, happening
         scene.happened[name] = t

@@ -7,11 +7,11 @@ from sandbox.physics.stepping.stage import Setup, Stage
 
 def make(setup: Setup) -> Stage:
     """Make the stage: all drifts and kicks of a step but the last, which every step has."""
-    parts = Leading(setup)
+    parts = LeadingSubsteps(setup)
     return Stage(before_drift=parts.take, begun=parts.begun)
 
 
-class Leading:
+class LeadingSubsteps:
     """Takes all drifts and kicks of a step but the last."""
 
     def __init__(self, setup: Setup) -> None:

@@ -4,7 +4,7 @@ from math import hypot
 
 import numpy as np
 
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.kicks import Kicks
@@ -19,7 +19,7 @@ FASTER = 1e4
 
 def make(setup: Setup) -> Stage:
     """Make the stage."""
-    return Stage(before_drift=Fence(setup.scene, setup.kicks).look)
+    return Stage(before_drift=GridBounds(setup.scene, setup.kicks).look)
 
 
 def beyond(name: str, scene: Scene, t: float) -> SimulationError:
@@ -32,7 +32,7 @@ def beyond(name: str, scene: Scene, t: float) -> SimulationError:
     return SimulationError(name, t, reason)
 
 
-class Fence:
+class GridBounds:
     """Checks that all bodies of a scene stay within its grid, beyond which pymunk never returns.
 
     The scene has so many bodies that pairs are found in a grid.

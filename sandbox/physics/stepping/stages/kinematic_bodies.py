@@ -5,7 +5,7 @@ the motion of these bodies as an acceleration before the kick, and their velocit
 pymunk's solver.
 """
 
-from sandbox.physics.engine.kinematic_bodies import Motions
+from sandbox.physics.engine.prescribed_motion import Motions
 from sandbox.physics.state.kick import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
 

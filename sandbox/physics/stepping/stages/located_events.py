@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.step_record import StepRecord
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.stepping.stage import Setup, Stage
 
 if TYPE_CHECKING:
-    from sandbox.physics.events.located_impacts import Located
-    from sandbox.physics.events.slip_ends import Stops
+    from sandbox.physics.events.located_impacts import ImpactLocator
+    from sandbox.physics.events.slip_ends import SlipEndLocator
 
 
 def make(setup: Setup) -> Stage:
@@ -36,7 +36,9 @@ def make(setup: Setup) -> Stage:
 class Cuts:
     """Cuts the coming drift at impacts, or else at ends of slipping."""
 
-    def __init__(self, setup: Setup, located: "Located | None", stops: "Stops | None") -> None:
+    def __init__(
+        self, setup: Setup, located: "ImpactLocator | None", stops: "SlipEndLocator | None"
+    ) -> None:
         self._forces, self._scene, self._dt = setup.forces, setup.scene, setup.kicks.clock.dt
         self._located, self._stops = located, stops
 
@@ -59,7 +61,7 @@ class Cuts:
                 if located:
                     located.begun = cut.begun
 
-    def _collide(self, located: "Located") -> None:
+    def _collide(self, located: "ImpactLocator") -> None:
         sequence = self._scene.sequence
         if cut := located.cut(self._forces.smooth, sequence.last.jump if sequence else None):
             self._forces.shift(cut.jump)
@@ -86,7 +88,7 @@ class Cuts:
         )
 
 
-def _located(setup: Setup) -> "Located | None":
+def _located(setup: Setup) -> "ImpactLocator | None":
     contact = setup.level.effects.contact
     if contact is None or contact.located is None:
         return None
@@ -95,13 +97,13 @@ def _located(setup: Setup) -> "Located | None":
     return locate(setup.level, setup.values, setup.scene, setup.kicks.clock.dt)
 
 
-def _stops(setup: Setup) -> "Stops | None":
+def _stops(setup: Setup) -> "SlipEndLocator | None":
     friction = setup.level.effects.friction
     if friction is None or friction.located is None:
         return None
-    from sandbox.physics.events.acceleration_after_event import Onwards
+    from sandbox.physics.events.kick_after_event import ContinuationSolver
     from sandbox.physics.events.slip_ends import stop
 
     scene, kicks, forces = setup.scene, setup.kicks, setup.forces
-    onwards = partial(Onwards, scene, kicks.settle, kicks.tried, kicks.clock.dt)
+    onwards = partial(ContinuationSolver, scene, kicks.settle, kicks.tried, kicks.clock.dt)
     return stop(setup.level, setup.values, scene, onwards, lambda: forces.smooth, kicks.clock.dt)

@@ -36,7 +36,7 @@ def bearing(setup: Setup, solve: Work) -> Work:
     borne, together = loads(setup.level.joints, setup.values), setup.scene.joints.together
     if not (borne and together):
         return solve
-    from sandbox.physics.events.joint_breaking import JointBreaking
+    from sandbox.physics.events.breaking_at_impact import JointBreaking
 
     return JointBreaking(setup.scene, together, borne, solve)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sandbox.physics.contacts.detection.contact_queries import Query
-from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import Spec, box, disc, fixed, level

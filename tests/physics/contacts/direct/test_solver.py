@@ -510,13 +510,13 @@ def test_what_is_pushed_out_of_an_overlap_into_a_wall_meets_it_in_the_same_kick(
 
 def counted_kicks(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Return how many kicks are solved from now on."""
-    kicks, solve = [0], solver.Direct.solve
+    kicks, solve = [0], solver.DirectSolver.solve
 
-    def counted(self: solver.Direct, until: float) -> None:
+    def counted(self: solver.DirectSolver, until: float) -> None:
         kicks[0] += 1
         solve(self, until)
 
-    monkeypatch.setattr(solver.Direct, "solve", counted)
+    monkeypatch.setattr(solver.DirectSolver, "solve", counted)
     return kicks
 
 

@@ -7,9 +7,9 @@ import pytest
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solver import Direct
+from sandbox.physics.contacts.direct.solver import DirectSolver
 from sandbox.physics.contacts.direct.solving.warm_start import recalled
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, fixed, level
 
@@ -18,7 +18,7 @@ LEAN = 0.1
 """The slope of the floor [rad]."""
 
 
-def sloping() -> Direct:
+def sloping() -> DirectSolver:
     """Return the solver of two boxes, one on the other, that rest on a slope by unequal corners."""
     c, s = np.cos(LEAN), np.sin(LEAN)
 

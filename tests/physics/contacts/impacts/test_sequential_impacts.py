@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.physics.contacts.impacts import sequential_impacts, simultaneous_impacts
-from sandbox.physics.contacts.impacts.simultaneous_impacts import Pile, pushes
-from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.contacts.impacts import pile_impacts, sequential_impacts
+from sandbox.physics.contacts.impacts.pile_impacts import Pile, pushes
+from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
@@ -476,7 +476,7 @@ def test_many_contacts_are_pushed_as_few_are(
     rates = -np.random.default_rng(1).uniform(0.5, 1, count)
     rates += closed * -rates.mean()  # a ring that is pressed everywhere cannot yield
     quick = pushes(delassus, rates)
-    monkeypatch.setattr(simultaneous_impacts, "LARGE", count)
+    monkeypatch.setattr(pile_impacts, "LARGE", count)
     slow = pushes(delassus, rates)
 
     assert quick == pytest.approx(slow, rel=1e-9, abs=1e-9 * slow.max())

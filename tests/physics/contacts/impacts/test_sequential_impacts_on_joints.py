@@ -9,8 +9,8 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
-from sandbox.physics.contacts.impacts.simultaneous_impacts import Pile
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.contacts.impacts.pile_impacts import Pile
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.run import build
 from tests.physics.contacts.impacts.test_sequential_impacts import SEQUENCE, kinetic
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, run, worst

@@ -12,7 +12,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active, Friction
 
 
-class Found(NamedTuple):
+class ActiveSetResult(NamedTuple):
     """What an active set leads to; m rows.
 
     `on`, (m,), tells which rows are active. Impulses and rates, (m,), are scaled to inverse masses
@@ -27,7 +27,9 @@ class Found(NamedTuple):
     still: list[float]
 
     @classmethod
-    def of(cls, active: Active, impulse: Array, rate: Array, close: float, still: Array) -> "Found":
+    def of(
+        cls, active: Active, impulse: Array, rate: Array, close: float, still: Array
+    ) -> "ActiveSetResult":
         """Return it from arrays."""
         return cls(active.on.tolist(), impulse.tolist(), rate.tolist(), close, still.tolist())
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.message import Message
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.model.translatable_message import Message
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ class Problem(NamedTuple):
     alike: Integers | None = None
 
 
-class TooMuch(Exception):  # noqa: N818 (whoever knows the time tells it)
+class SystemTooLarge(Exception):  # noqa: N818 (whoever knows the time tells it)
     """A system that is too large for a step; `body` is the index of a body that takes part."""
 
     def __init__(self, body: int, reason: Message) -> None:

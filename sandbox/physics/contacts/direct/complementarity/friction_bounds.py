@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Friction
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 
 
 class FrictionBounds:

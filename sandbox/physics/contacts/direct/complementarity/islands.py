@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 
 
 def islands(bodies: Sequence[Integers], moves: Booleans) -> list[Integers]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.linear_systems import most
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.state.cancellation import cancellation_point
 
 PIVOTS = 20

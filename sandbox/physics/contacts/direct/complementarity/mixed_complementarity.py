@@ -21,7 +21,7 @@ from math import inf, sqrt
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.active_set import Found
+from sandbox.physics.contacts.direct.complementarity.active_set import ActiveSetResult
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active, Problem
 from sandbox.physics.contacts.direct.complementarity.friction_bounds import FrictionBounds
 from sandbox.physics.contacts.direct.complementarity.linear_complementarity import FAINT, by_lemke
@@ -32,7 +32,7 @@ from sandbox.physics.contacts.direct.complementarity.linear_systems import (
     null,
     solved,
 )
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.state.cancellation import cancellation_point
 
 TOLERANCE = 1e-11
@@ -257,7 +257,7 @@ class _Scaled:
             return None
         close = TOLERANCE * most(impulse)
         still = TOLERANCE * max(self._largest, most(rate)) + self._blur
-        found = Found.of(active, impulse, rate, close, still)
+        found = ActiveSetResult.of(active, impulse, rate, close, still)
         return found.better(active, self._pushing, self._problem.friction, self._friction.sizes)
 
     def _guess(self, impulse: Array) -> Active:

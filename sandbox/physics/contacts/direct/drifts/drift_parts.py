@@ -9,11 +9,14 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
-from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Between, Divided
-from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
+from sandbox.physics.contacts.direct.drifts.fallback_subdivision import (
+    DividedDrift,
+    KickBetweenParts,
+)
+from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult, Stage
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     Coordinates,
@@ -26,7 +29,7 @@ DEEP = 1e-3
 bodies are squeezed out, so smaller ones are left to the correction of overlaps."""
 
 
-class Part(NamedTuple):
+class DriftPart(NamedTuple):
     """A part of a drift, and the kick before it; r rows, N bodies with the plane.
 
     Attributes
@@ -50,7 +53,7 @@ class Part(NamedTuple):
     lasting
         (r,), the forces that last beyond it, if its own are too rough for that; else None [N].
     flat
-        See `Taken`.
+        See `KickResult`.
     """
 
     kick: Kick
@@ -66,7 +69,7 @@ class Part(NamedTuple):
     flat: bool = False
 
     @classmethod
-    def after(cls, taken: Taken, drift: float, moved: Array) -> "Part":
+    def after(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
         begun, lasts, forces, active = taken.begun, taken.lasts, taken.forces, taken.active
         before = taken.stages[:-1]
@@ -120,7 +123,7 @@ def around(kick: Kick, pairs: Sequence[Pair]) -> Booleans:
     return reached
 
 
-def others_of(part: Part, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
+def others_of(part: DriftPart, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
     """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
 
     Also the accelerations by these forces and by laws, (3 N,).
@@ -131,7 +134,7 @@ def others_of(part: Part, laws: Array, reached: Booleans) -> tuple[Booleans, Arr
 
 
 @dataclass(frozen=True)
-class Landed:
+class CutDrift:
     """A drift that was cut where bodies landed; n bodies.
 
     The rest of the step knows only whole kicks: the one before it as if nothing landed, the one
@@ -143,14 +146,14 @@ class Landed:
     take part in the landings; `start`, (n, 3), are the positions at its start [m, rad].
     """
 
-    whole: Part
-    parts: Sequence[Part]
+    whole: DriftPart
+    parts: Sequence[DriftPart]
     laws: Array
     reached: Booleans
     start: Array
 
     @cached_property
-    def divided(self) -> Divided:
+    def divided(self) -> DividedDrift:
         """The drift in parts, for the rest of the step."""
         whole, led, lasts = self.whole, self._led, self.whole.lasts
         left = self._moving((led.begun + lasts * (self.laws + led.pulls))[self._places])
@@ -158,7 +161,7 @@ class Landed:
         kept, back = self._taken_back()
         stages = [(part.kick, stage) for part in self.parts[1:] for stage in self._stages(part)]
         between = (self.parts[0].kick, self._given_less()), *stages, (kept, back)
-        return Divided(
+        return DividedDrift(
             left,
             back.velocity,
             self.reached,
@@ -186,14 +189,14 @@ class Landed:
         return last.kick.moved(last.end)
 
     @property
-    def _led(self) -> Part:
+    def _led(self) -> DriftPart:
         """The motion up to the first landing: the whole drift, unless a rope is caught later."""
         first = self.parts[0]
         return first if _catches(self.whole, first) else self.whole
 
     @property
     def _lifted(self) -> float:
-        """The excess of the energy that is read in the middle of it, see `Divided` [J]."""
+        """The excess of the energy that is read in the middle of it, see `DividedDrift` [J]."""
         inertia = inertia_of(self.whole.kick.joints.inverse)[self._places]
         mass = np.where(self.reached[:, None], inertia, 0.0)
         last = self.parts[-1]
@@ -214,18 +217,18 @@ class Landed:
         begun = last.moved - missing * (self.laws + forces @ kick.response)
         return kick, Stage.of(kick, -missing, self._moving(begun[self._places]), -missing * forces)
 
-    def _stages(self, part: Part) -> tuple[Stage, ...]:
+    def _stages(self, part: DriftPart) -> tuple[Stage, ...]:
         """Return the stages at the beginning of a part."""
         rest = part.forces * part.lasts
         return *part.before, Stage.of(part.kick, part.lasts, part.moved[self._places], rest)
 
-    def _seen(self, kick: Kick, stage: Stage) -> Between:
+    def _seen(self, kick: Kick, stage: Stage) -> KickBetweenParts:
         """Return a stage, limited to the bodies and joints that take part in the landings."""
         joints = kick.layout.joints
         some = stage.among(self.reached, concerned(kick, self.reached)[joints])
         jacobian = -kick.here.jacobian[joints][:, self._places]
         moving = some._replace(velocity=self._moving(stage.velocity))
-        return Between(self._place(kick.place), jacobian, moving)
+        return KickBetweenParts(self._place(kick.place), jacobian, moving)
 
     def _moving(self, velocity: Array) -> Array:
         """Return velocities, (n, 3), with those of the whole drift for all other bodies."""
@@ -237,14 +240,14 @@ class Landed:
         return self.start + way[self._places]
 
 
-def _catches(whole: Part, first: Part) -> bool:
+def _catches(whole: DriftPart, first: DriftPart) -> bool:
     """Return whether a rope becomes taut in a drift, but not before its first landing."""
     joints = whole.kick.layout.joints
     taut, pulls = (part.forces[joints] > 0 for part in (whole, first))
     return bool((whole.kick.joints.pulls_only & taut & ~pulls).any())
 
 
-def _steady(last: Part, laws: Array, missing: float, reached: Booleans) -> Array:
+def _steady(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:
     """Return the forces of the last part that may stand for a whole kick after it: (r,).
 
     Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would give

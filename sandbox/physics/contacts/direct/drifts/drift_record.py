@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import pairs_of
-from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
-from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord, Struck
-from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
+from sandbox.physics.contacts.direct.drifts.landing_record import LandingImpact, LandingRecord
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 
 
 class Drifts:
@@ -22,15 +22,15 @@ class Drifts:
     def __init__(self, count: int) -> None:
         self._none = LandingRecord(count)
         self.kicked: Array | None = None
-        self.divided: Divided | None = None
-        self.drifted: Divided | None = None
+        self.divided: DividedDrift | None = None
+        self.drifted: DividedDrift | None = None
         self.led: Array | None = None
         self._leads: Array | None = None  # the same for the drift after the kick
         self.parted = NO_CONTACTS
         self.landings = self._lands = self._none
 
     @property
-    def struck(self) -> Sequence[Struck]:
+    def struck(self) -> Sequence[LandingImpact]:
         """Who collided in the landings of the drift before it, in turn."""
         return self.landings.struck
 
@@ -46,7 +46,7 @@ class Drifts:
         self.divided = self._leads = None
         self._lands = self._none
 
-    def divide(self, divided: Divided, mean: Array) -> None:
+    def divide(self, divided: DividedDrift, mean: Array) -> None:
         """Record that the drift after the kick is taken in parts, with mean velocities, (n, 3)."""
         self.divided, self.kicked, self._leads = divided, divided.left, mean
 

@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
+from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult, Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -26,7 +26,7 @@ PARTS = (2, 4, 8, 16, 32)
 where positions cannot be."""
 
 
-class Between(NamedTuple):
+class KickBetweenParts(NamedTuple):
     """A kick between two parts of a drift; n bodies, m equations of joints.
 
     `place`, (n, 3), are the positions there [m, rad], `jacobian`, (m, n, 3), is that of the joints'
@@ -38,7 +38,7 @@ class Between(NamedTuple):
     stage: Stage
 
 
-class Divided(NamedTuple):
+class DividedDrift(NamedTuple):
     """A drift in parts, for the rest of the step; n bodies.
 
     Attributes
@@ -65,13 +65,13 @@ class Divided(NamedTuple):
     begun: Array
     reached: Booleans
     before: tuple[Stage, ...]
-    between: tuple[Between, ...]
+    between: tuple[KickBetweenParts, ...]
     first: float
     end: Array
     lifted: float = 0.0
 
 
-class Inner(NamedTuple):
+class SolvedInnerKick(NamedTuple):
     """A solved kick between two parts of a drift; r rows, N bodies with the plane.
 
     `kick` is its system, and `lasts` its length [s]. `impulse`, (r,), are its impulses, and
@@ -83,7 +83,7 @@ class Inner(NamedTuple):
     impulse: Array
     moved: Array
 
-    def seen(self, start: Array, origin: Array, order: Integers) -> Between:
+    def seen(self, start: Array, origin: Array, order: Integers) -> KickBetweenParts:
         """Return it for the rest of the step.
 
         `start`, (n, 3), and `origin`, (3 N,), are the positions at the start of the drift, by
@@ -94,10 +94,10 @@ class Inner(NamedTuple):
         place = start + (kick.place.values - origin)[order]
         jacobian = -kick.here.jacobian[kick.layout.joints][:, order]
         stage = Stage.of(kick, self.lasts, self.moved[order], self.impulse)
-        return Between(place, jacobian, stage)
+        return KickBetweenParts(place, jacobian, stage)
 
 
-class Through(NamedTuple):
+class SolvedDrift(NamedTuple):
     """A solved drift in parts; r rows, N bodies with the plane.
 
     `first` is the kick before it, shorter than a whole one by the time `missing` [s]; `inner` are
@@ -105,8 +105,8 @@ class Through(NamedTuple):
     them [m/s², rad/s²]; `way`, (3 N,), is the displacement [m, rad].
     """
 
-    first: Taken
-    inner: tuple[Inner, ...]
+    first: KickResult
+    inner: tuple[SolvedInnerKick, ...]
     acceleration: Array
     missing: float
     way: Array
@@ -116,8 +116,8 @@ class Through(NamedTuple):
         """(r,), the impulses of a whole kick before it."""
         return self.first.total + self.missing * self.first.forces
 
-    def seen(self, start: Array, order: Integers) -> Divided:
-        """Return it for the rest of the step, from positions (n, 3) [m, rad]; see `Inner.seen`."""
+    def seen(self, start: Array, order: Integers) -> DividedDrift:
+        """Return it for the rest of the step, from `positions`, (n, 3) [m, rad]."""
         first, lost = self.first, self.missing
         kick, moved = first.kick, first.moved
         forces = first.forces.dot(kick.response)
@@ -126,8 +126,8 @@ class Through(NamedTuple):
         between = [one.seen(start, kick.place.values, order) for one in self.inner]
         end, last = start + self.way[order], between[-1]
         nothing = Stage.of(self.inner[-1].kick, -lost, begun, 0.0 * self.inner[-1].impulse)
-        back = Between(end, last.jacobian, nothing)
-        return Divided(
+        back = KickBetweenParts(end, last.jacobian, nothing)
+        return DividedDrift(
             (moved + lost * (self.acceleration + forces))[order],
             begun,
             np.ones(len(start), dtype=bool),
@@ -138,7 +138,9 @@ class Through(NamedTuple):
         )
 
 
-def through(kick: Kick, acceleration: Array, until: float, take: Callable[..., Taken]) -> Through:
+def through(
+    kick: Kick, acceleration: Array, until: float, take: Callable[..., KickResult]
+) -> SolvedDrift:
     """Return the drift after a kick of a step, in parts.
 
     The system of `kick` has no solution for the whole drift, which ends at the time `until` [s].
@@ -165,10 +167,10 @@ def _in_parts(
     kick: Kick,
     acceleration: Array,
     lengths: list[Array],
-    take: Callable[..., Taken],
+    take: Callable[..., KickResult],
     *,
     placed: bool,
-) -> Through:
+) -> SolvedDrift:
     """Return the drift, given the joints' lengths at the ends of its parts: (m,) each [m, rad]."""
     joints, whole, parts = kick.joints, kick.joints.drift, len(lengths) - 1
     drift = whole / parts
@@ -184,7 +186,7 @@ def _in_parts(
         impulse, moved, active, _ = hold(
             now, motion, (drift * forces, active), driven=False, placed=placed
         )
-        inner.append(Inner(now, drift, impulse, moved))
+        inner.append(SolvedInnerKick(now, drift, impulse, moved))
         forces = impulse / drift
         place = Coordinates(place.values + drift * moved)
-    return Through(first, tuple(inner), acceleration, missing, place.values - kick.place.values)
+    return SolvedDrift(first, tuple(inner), acceleration, missing, place.values - kick.place.values)

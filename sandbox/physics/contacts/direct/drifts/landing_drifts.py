@@ -11,7 +11,7 @@ A drift is also cut where a contact passes the end of a side: a disc that rolls 
 from there, and not from where the step ends; see `support_ends`. Nothing is struck there, but other
 contacts act from there on.
 
-It is cut where friction ends a slip as well; see `slip_stops`. From there on it holds, if it can.
+It is cut where friction ends a slip as well; see `slip_ends`. From there on it holds, if it can.
 
 Bodies that take no part in a landing go on as they were.
 """
@@ -24,28 +24,28 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
-from sandbox.physics.contacts.direct.drifts.crowds import crowd
-from sandbox.physics.contacts.direct.drifts.drift_meetings import SOON, Meetings, Met
 from sandbox.physics.contacts.direct.drifts.drift_parts import (
-    Part,
+    DriftPart,
     around,
     concerned,
     moving,
     others_of,
 )
+from sandbox.physics.contacts.direct.drifts.first_landing import until_first
+from sandbox.physics.contacts.direct.drifts.first_meeting import SOON, FirstMeeting, MeetingFinder
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
-from sandbox.physics.contacts.direct.drifts.landing_times import until_first
-from sandbox.physics.contacts.direct.drifts.slip_stops import slip_ends, until_it_stops
-from sandbox.physics.contacts.direct.kicks import impacts
-from sandbox.physics.contacts.direct.kicks.closing_gaps import closed
+from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
+from sandbox.physics.contacts.direct.drifts.unlocated_landings import crowd
+from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_parts import Stage
+from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import recalled
-from sandbox.physics.engine.batch import NO_CONTACTS, Booleans
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans
 from sandbox.physics.joints.exact.constraint_interface import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -75,7 +75,7 @@ class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more
     """Somebody takes part in a landing who should have been followed from the first one on."""
 
 
-class Landings:
+class DriftCutter:
     """Cuts a drift where bodies land in it; N bodies with the plane.
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
@@ -99,14 +99,14 @@ class Landings:
         self._speculative, self._build = speculative, build
         self._laws, self._until = laws, until
         self._driven, self._stopped = driven, stopped
-        self._meetings = Meetings(speculative, laws)
+        self._meetings = MeetingFinder(speculative, laws)
         count = len(laws) // 3 - 1
         self._order, self._anew = order(count), True
-        self._whole: Part  # the drift
+        self._whole: DriftPart  # the drift
         self.crowd: Booleans = np.zeros(count, dtype=bool)
         self._begin(np.zeros(count, dtype=bool))
 
-    def follow(self, whole: Part) -> list[Part]:
+    def follow(self, whole: DriftPart) -> list[DriftPart]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
         Whoever takes part in a later landing has to be followed from the first one on, where other
@@ -142,7 +142,7 @@ class Landings:
             if np.count_nonzero(whole.forces[concerned(whole.kick, late)]):
                 raise _Late
 
-    def _parts(self, whole: Part) -> list[Part]:
+    def _parts(self, whole: DriftPart) -> list[DriftPart]:
         """Return the parts of a drift."""
         parts = [whole]
         while len(parts) <= MOST and (found := self._cut(parts[-1])):
@@ -153,7 +153,7 @@ class Landings:
             parts[-1] = self._lasting(parts[-1], whole.drift)
         return parts
 
-    def _lasting(self, last: Part, drift: float) -> Part:
+    def _lasting(self, last: DriftPart, drift: float) -> DriftPart:
         """Return the last part with forces that last for a whole drift [s].
 
         They stay its own if other rows would be active then.
@@ -166,7 +166,7 @@ class Landings:
             return last
         return last._replace(lasting=longer.forces) if longer.active.equals(last.active) else last
 
-    def _cut(self, part: Part) -> tuple[Part, Part] | None:
+    def _cut(self, part: DriftPart) -> tuple[DriftPart, DriftPart] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
         kick, known = part.kick, (self.reached, self._early)
         stopped = self._until_it_stops(part)
@@ -194,7 +194,7 @@ class Landings:
             self.reached, self._early = known  # it is found where the drift ends
             return None
 
-    def _until_it_stops(self, part: Part) -> Part | None:
+    def _until_it_stops(self, part: DriftPart) -> DriftPart | None:
         """Return a part up to where its first slip ends; None if none does."""
         ends = slip_ends(part, self._laws)
         ends = ends[~self._stopped[part.kick.layout.touching.sliding[:, ends]].any(axis=0)]
@@ -206,7 +206,7 @@ class Landings:
             self.reached = known
         return stopped
 
-    def _is_crowd(self, part: Part, met: Met) -> bool:
+    def _is_crowd(self, part: DriftPart, met: FirstMeeting) -> bool:
         """Return whether so many bodies land from the start of the drift on that they are a crowd.
 
         They are then left to `crowds.stopped`.
@@ -218,7 +218,7 @@ class Landings:
         self.crowd = crowd(part.kick, lands)
         return bool(self.crowd.any())
 
-    def _sunk(self, part: Part) -> list[Pair]:
+    def _sunk(self, part: DriftPart) -> list[Pair]:
         """Return the pairs of bodies because of which a part is divided."""
         if part.drift <= LEAST * self._whole.drift:
             return []
@@ -229,13 +229,15 @@ class Landings:
         both = [*pair]
         return bool(self._stopped[both].any() and not self.reached[both].any())
 
-    def _kept(self, part: Part, shorter: Part, met: Met | None) -> tuple[Part, Met | None]:
+    def _kept(
+        self, part: DriftPart, shorter: DriftPart, met: FirstMeeting | None
+    ) -> tuple[DriftPart, FirstMeeting | None]:
         """Return a part so short that its contacts keep their gaps, and what meets at its end."""
         while self._sunk(shorter):
             shorter, met = self._shortened(part, shorter.drift / 2, shorter), None
         return shorter, met
 
-    def _shortened(self, part: Part, drift: float, near: Part) -> Part:
+    def _shortened(self, part: DriftPart, drift: float, near: DriftPart) -> DriftPart:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
         lasts = part.lasts - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
@@ -248,7 +250,9 @@ class Landings:
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 
-    def _land(self, shorter: Part, left: float, met: Met | None, near: Sequence[Pair]) -> Part:
+    def _land(
+        self, shorter: DriftPart, left: float, met: FirstMeeting | None, near: Sequence[Pair]
+    ) -> DriftPart:
         """Return the part after a landing, of length `left` [s]; None where it is merely cut."""
         place, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
         if met:
@@ -267,7 +271,9 @@ class Landings:
         after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
         return self._closed(self._solved(after, left, left / 2))
 
-    def _pass(self, shorter: Part, left: float, met: Met, near: Sequence[Pair]) -> Part:
+    def _pass(
+        self, shorter: DriftPart, left: float, met: FirstMeeting, near: Sequence[Pair]
+    ) -> DriftPart:
         """Return the part after contacts pass the ends of sides, of length `left` [s]."""
         place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
         joints.time(left, left)
@@ -280,10 +286,10 @@ class Landings:
         kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
         self._take_in(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        part = Part(kick, left, left, begun, left / 2, forces, active, begun, stages)
+        part = DriftPart(kick, left, left, begun, left / 2, forces, active, begun, stages)
         return self._closed(self._solved(part, left, left / 2))
 
-    def _arrived(self, part: Part, struck: Booleans) -> tuple[Kick, Array, tuple[Stage, ...]]:
+    def _arrived(self, part: DriftPart, struck: Booleans) -> tuple[Kick, Array, tuple[Stage, ...]]:
         """Return the velocities at the end of a part, before any impact, and the stage up to there.
 
         See `_struck`; also the rows of bodies that are `reached`.
@@ -291,23 +297,23 @@ class Landings:
         mine, others, drive = others_of(part, self._laws, self.reached)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
-        came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
+        came, to_it = coupled_impacts.come(some, part.moved + half * drive, struck, part.active)
         return some, came, (Stage.of(part.kick, half, came[self._order], to_it + half * others),)
 
-    def _struck(self, part: Part, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
+    def _struck(self, part: DriftPart, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
         """Return the velocities after the impact at the end of a part, and its stages.
 
         The part already has the rows there; `struck` tells which of its gaps land, (k,).
         """
         some, came, before = self._arrived(part, struck)
-        begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
+        begun, pushes, pairs = coupled_impacts.bounce(some, came, struck, part.active)
         stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
         time = self._whole.drift - part.left + part.drift
         self.record.note(pairs, time, stages[1].contacts, landed)
         return begun, stages
 
-    def _solved(self, part: Part, drift: float, lasts: float) -> Part:
+    def _solved(self, part: DriftPart, drift: float, lasts: float) -> DriftPart:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.left
         joints.time(drift, drift)
@@ -339,11 +345,11 @@ class Landings:
             flat=flat,
         )
 
-    def _closed(self, part: Part) -> Part:
+    def _closed(self, part: DriftPart) -> DriftPart:
         """Return a part in which corners have come down; see `closed`."""
         return closed(part, self._speculative, self._build, self._laws, self._again)[0]
 
-    def _again(self, part: Part, kick: Kick) -> Part:
+    def _again(self, part: DriftPart, kick: Kick) -> DriftPart:
         """Return a part, solved with more rows."""
         forces, active = recalled(part.kick, part.forces, part.active, kick)
         more = part._replace(kick=kick, forces=forces, active=active)

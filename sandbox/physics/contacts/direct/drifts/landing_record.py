@@ -7,10 +7,10 @@ import numpy as np
 
 from sandbox.physics.contacts.detection.contact_queries import pairs_of
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
-from sandbox.physics.engine.batch import NO_CONTACTS, Contacts, Integers
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts, Integers
 
 
-class Struck(NamedTuple):
+class LandingImpact(NamedTuple):
     """Two bodies that collided within a drift, and the time of that since the step before [s]."""
 
     bodies: Pair
@@ -28,7 +28,7 @@ class LandingRecord:
     def __init__(self, count: int) -> None:
         self.pushed = np.zeros(count)
         self.met = NO_CONTACTS
-        self.struck: list[Struck] = []
+        self.struck: list[LandingImpact] = []
         self.given: dict[Pair, float] = {}
 
     def note(self, pairs: Sequence[Pair], time: float, pushed: Contacts, landed: Integers) -> None:
@@ -37,7 +37,7 @@ class LandingRecord:
         `pushed` are all contacts, with the impulses of the landing; `landed` tells which of them
         have landed.
         """
-        self.struck += (Struck(pair, time) for pair in pairs)
+        self.struck += (LandingImpact(pair, time) for pair in pairs)
         self.given |= {pair: self.given.get(pair, 0.0) for pair in pairs}
         both = pushed.bodies.T.ravel()
         pushes = np.bincount(both, np.tile(pushed.normal, 2), len(self.pushed))

@@ -14,14 +14,14 @@ import numpy as np
 
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 REACH = 1e-7
 """m, by which corners may slip along each other and keep their normal: some of their roundings."""
 
 
-class Held(NamedTuple):
+class CornerPair(NamedTuple):
     """Two corners that meet.
 
     The points are along the axes of the first body and of the second [m]. The normal is from the
@@ -38,7 +38,7 @@ class CornerPairs:
     """Remembers corners that meet from step to step."""
 
     def __init__(self) -> None:
-        self._held: dict[tuple[int, int], Held] = {}
+        self._held: dict[tuple[int, int], CornerPair] = {}
 
     def forget(self) -> None:
         """Forget all pairs: bodies were put elsewhere."""
@@ -55,7 +55,7 @@ class CornerPairs:
             if kick.contacts.touches[touching.pair[gap]] == 1:
                 one, other = features.points[:, gap].tolist()
                 turned = float(kick.place.angle[b] - kick.place.angle[a])
-                new = Held((one, other), complex(features.normal[gap]), turned)
+                new = CornerPair((one, other), complex(features.normal[gap]), turned)
                 self._held[a, b] = before.get((a, b), new)
 
     def steady(self, contacts: Contacts, place: Coordinates, origin: complex) -> Contacts:

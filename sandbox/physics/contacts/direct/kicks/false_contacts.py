@@ -10,7 +10,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query, pairs_of
-from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 
 FURTHER = 1.5

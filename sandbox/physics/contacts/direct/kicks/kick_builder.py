@@ -13,7 +13,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layouts, Surfaces
 from sandbox.physics.contacts.direct.solving.overlap_correction import OverlapCorrection
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
-from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 
@@ -74,7 +74,7 @@ class KickBuilder:
         self._lengths = self._joints.lengths(t), self._joints.lengths(t)
 
     def standing(self, lengths: tuple[Array, Array]) -> Kick:
-        """Return the system at the present positions, between two steps; see `Direct.standing`."""
+        """Return the system at the present positions; see `DirectSolver.standing`."""
         self._lengths = lengths
         return self.at(self._joints.place())
 

@@ -8,7 +8,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
-from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 
@@ -42,7 +42,7 @@ class Stage(NamedTuple):
         return self._replace(pulls=np.where(joints, self.pulls, 0.0), contacts=contacts)
 
 
-class Taken(NamedTuple):
+class KickResult(NamedTuple):
     """The result of a kick; r rows, N bodies with the plane.
 
     Attributes

@@ -5,15 +5,15 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.kicks import impacts
-from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
+from sandbox.physics.contacts.direct.kicks import coupled_impacts
+from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult, Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.joints.exact.constraint_interface import order
 
 
-class Beginning(NamedTuple):
+class KickStart(NamedTuple):
     """The state and the forces at the beginning of a kick; N bodies with the plane.
 
     `velocity`, (3 N,), are the velocities before it, and `change`, (3 N,), is their change in the
@@ -30,7 +30,7 @@ class Beginning(NamedTuple):
     driven: bool
 
 
-def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False) -> Taken:
+def take(kick: Kick, start: KickStart, known: WarmStart, *, placed: bool = False) -> KickResult:
     """Take a kick, whose length its joints know, and return the result.
 
     `known` is the warm start: the forces of the last kick. For `placed` see `hold`. Raises
@@ -42,25 +42,25 @@ def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False
     def pushed() -> Array:
         return known.guess(kick, at_step, start.step)[0]
 
-    strikes = impacts.struck(kick, at_step, acts, start.change, pushed)
+    strikes = coupled_impacts.struck(kick, at_step, acts, start.change, pushed)
     if not (np.count_nonzero(strikes) or np.count_nonzero(kick.joints.added)):
         return _onwards(kick, start, velocity, kick.joints.kick, known, placed=placed)
     places = order(len(velocity) // 3 - 1)
-    came, before = impacts.come(kick, at_step, strikes)
-    left, pushes, _ = impacts.bounce(kick, came, strikes)
+    came, before = coupled_impacts.come(kick, at_step, strikes)
+    left, pushes, _ = coupled_impacts.bounce(kick, came, strikes)
     rest = _onwards(kick, start, left, kick.joints.kick - lead, known, placed=placed)
     stages = (
         Stage.of(kick, lead, came[places], before),
         Stage.of(kick, 0, left[places], pushes),
         Stage.of(kick, rest.lasts, rest.moved[places], rest.total),
     )
-    record, total = impacts.recorded(kick, left, pushes), before + pushes + rest.total
+    record, total = coupled_impacts.recorded(kick, left, pushes), before + pushes + rest.total
     return rest._replace(total=total, impacts=record, stages=stages)
 
 
 def _onwards(
-    kick: Kick, start: Beginning, begun: Array, lasts: float, known: WarmStart, *, placed: bool
-) -> Taken:
+    kick: Kick, start: KickStart, begun: Array, lasts: float, known: WarmStart, *, placed: bool
+) -> KickResult:
     """Return a kick without impacts, or the rest of a kick after them, of length `lasts` [s]."""
     motion = begun + start.acceleration * lasts
     guess = known.guess(kick, motion, lasts)
@@ -68,4 +68,4 @@ def _onwards(
     impulse, moved, active, flat = held
     slides = bool(np.count_nonzero(active.slip) or np.count_nonzero(guess[1].slip))
     forces, whole = impulse / lasts, (impulse, None, ())
-    return Taken(kick, moved, forces, active, *whole, begun, lasts, slides=slides, flat=flat)
+    return KickResult(kick, moved, forces, active, *whole, begun, lasts, slides=slides, flat=flat)

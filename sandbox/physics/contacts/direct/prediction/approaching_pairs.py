@@ -25,14 +25,14 @@ from sandbox.physics.contacts.detection.time_of_impact import (
     touching,
 )
 from sandbox.physics.contacts.direct.complementarity.linear_systems import most
-from sandbox.physics.contacts.direct.prediction.convex_parts import Pair, Placed, Shapes
+from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts, Pair, PlacedParts
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowCorner, HollowPairs
-from sandbox.physics.contacts.direct.prediction.separation import Separation, spread
+from sandbox.physics.contacts.direct.prediction.separation_bound import Separation, spread
 from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.collision_filter import meets
-from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.geometry.outline_distance import Outline, outlines
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, planes
 
@@ -52,7 +52,7 @@ class ApproachingPairs:
     def __init__(
         self,
         query: Query,
-        shapes: Shapes,
+        shapes: ConvexParts,
         surfaces: Surfaces,
         moves: Booleans,
         hollows: HollowPairs,
@@ -186,7 +186,7 @@ class ApproachingPairs:
         self._calm = float(room.min())
         return found
 
-    def _gap(self, pair: Pair, here: Placed) -> float:
+    def _gap(self, pair: Pair, here: PlacedParts) -> float:
         """Return a lower bound of the distance between two bodies [m]."""
         if self._hollows.pairs[pair]:
             return self._hollows.gap(pair, here.place)

@@ -16,7 +16,7 @@ from sandbox.physics.geometry import outline_distance
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 if TYPE_CHECKING:
-    from sandbox.physics.engine.batch import Booleans
+    from sandbox.physics.engine.space_arrays import Booleans
 
 PLACES = 2
 """How many placements are remembered: those at the start and at the end of a drift."""
@@ -28,7 +28,7 @@ Pair = tuple[int, int]
 """Two bodies, the lower index first; or the indices of a part of each."""
 
 
-class Part(NamedTuple):
+class ConvexPart(NamedTuple):
     """A convex part of a body, along its axes or in the plane.
 
     `corners`, (k,), are counter-clockwise [m]: two for a segment, one, the centre, for a disc.
@@ -45,7 +45,7 @@ class Part(NamedTuple):
     radius: float
 
     @classmethod
-    def of(cls, shape: pymunk.Shape) -> "Part":
+    def of(cls, shape: pymunk.Shape) -> "ConvexPart":
         """Return the part of a disc, a polygon or a segment."""
         if isinstance(shape, pymunk.Circle):
             middle = complex(*shape.offset)
@@ -69,9 +69,9 @@ class Part(NamedTuple):
         """The largest distance of its corners from the body's centre of mass [m]."""
         return max(map(abs, self.corners))
 
-    def placed(self, place: complex, turned: complex) -> "Part":
+    def placed(self, place: complex, turned: complex) -> "ConvexPart":
         """Return it in the plane, with its body at a place and rotated."""
-        return Part(
+        return ConvexPart(
             [place + corner * turned for corner in self.corners],
             [normal * turned for normal in self.normals],
             self.lengths,
@@ -80,13 +80,13 @@ class Part(NamedTuple):
             self.radius,
         )
 
-    def seen(self, other: "Part", side: int) -> list[complex]:
+    def seen(self, other: "ConvexPart", side: int) -> list[complex]:
         """Return the corners of another part, seen from a side: height + i way along it [m]."""
         corner, across = self.corners[side], self.normals[side].conjugate()
         proud = self.rounding + other.rounding
         return [(far - corner) * across - proud for far in other.corners]
 
-    def shows(self, other: "Part") -> tuple[float, int]:
+    def shows(self, other: "ConvexPart") -> tuple[float, int]:
         """Return the largest separation of another part from a side, and that side [m].
 
         The separation is negative where they overlap, and -inf for a disc, which has no sides.
@@ -104,26 +104,26 @@ class Part(NamedTuple):
                 best, chosen = least, side
         return best - (self.rounding + other.rounding), chosen
 
-    def lowest(self, other: "Part", side: int) -> float:
+    def lowest(self, other: "ConvexPart", side: int) -> float:
         """Return the separation of another part from a side [m]."""
         corner, across = self.corners[side], self.normals[side].conjugate()
         least = min([((far - corner) * across).real for far in other.corners])
         return least - (self.rounding + other.rounding)
 
-    def gap(self, other: "Part") -> float:
+    def gap(self, other: "ConvexPart") -> float:
         """Return a lower bound of the distance between two parts [m]."""
         around = abs(self.middle - other.middle) - self.radius - other.radius
         if around > 0 or not (self.normals or other.normals):
             return around
         return max(self.shows(other)[0], other.shows(self)[0])
 
-    def touches(self, other: "Part") -> bool:
+    def touches(self, other: "ConvexPart") -> bool:
         """Return whether two parts touch or overlap."""
         proud = self.rounding + other.rounding
         return outline_distance.gap(self.corners, other.corners, proud).distance <= TOUCHING
 
 
-def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
+def parts_of(shapes: Sequence[pymunk.Shape]) -> list[ConvexPart]:
     """Return the parts of a body, in an order that does not depend on memory addresses.
 
     A body with a shape of another kind has none.
@@ -131,35 +131,35 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
     own = outline_distance.plain(shapes)
     if not all(isinstance(s, pymunk.Circle | pymunk.Poly | pymunk.Segment) for s in own):
         return []
-    parts = map(Part.of, own)
+    parts = map(ConvexPart.of, own)
     return sorted(parts, key=lambda p: ([(c.real, c.imag) for c in p.corners], p.rounding))
 
 
-class Placed:
+class PlacedParts:
     """The parts of bodies at some positions; each is placed when it is first asked for.
 
     `parts` are those of each body, along its axes.
     """
 
-    def __init__(self, parts: Sequence[Sequence[Part]], place: Coordinates) -> None:
+    def __init__(self, parts: Sequence[Sequence[ConvexPart]], place: Coordinates) -> None:
         self._parts, self.place = parts, place
         self._plane: list[complex] = place.plane.tolist()
         self._turned: list[complex] = place.turned.tolist()
-        self._known: dict[Pair, Part] = {}
+        self._known: dict[Pair, ConvexPart] = {}
 
-    def part(self, body: int, number: int) -> Part:
+    def part(self, body: int, number: int) -> ConvexPart:
         """Return a part of a body."""
         if (known := self._known.get((body, number))) is None:
             where, turned = self._plane[body], self._turned[body]
             known = self._known[body, number] = self._parts[body][number].placed(where, turned)
         return known
 
-    def both(self, bodies: Pair, numbers: Pair) -> tuple[Part, Part]:
+    def both(self, bodies: Pair, numbers: Pair) -> tuple[ConvexPart, ConvexPart]:
         """Return a part of each of two bodies."""
         return self.part(bodies[0], numbers[0]), self.part(bodies[1], numbers[1])
 
 
-class Shapes:
+class ConvexParts:
     """The parts of n bodies, pymunk's in order.
 
     `parts` are those of each body, along its axes. `sided` and `single`, (n,), tell whether all
@@ -175,19 +175,19 @@ class Shapes:
         self.sided: Booleans = np.array(sided, dtype=bool)
         self.single: Booleans = np.array([len(own) == 1 for own in parts], dtype=bool)
         self.reach = np.array([max((p.reach for p in own), default=np.inf) for own in parts])
-        self._placed: dict[bytes, Placed] = {}  # the last ones, by the bodies' positions
+        self._placed: dict[bytes, PlacedParts] = {}  # the last ones, by the bodies' positions
 
-    def at(self, place: Coordinates) -> Placed:
+    def at(self, place: Coordinates) -> PlacedParts:
         """Return the parts with the bodies at some positions; the last placements are reused."""
         where = place.values.tobytes()
         if (known := self._placed.pop(where, None)) is None:
-            known = Placed(self.parts, place)
+            known = PlacedParts(self.parts, place)
         self._placed[where] = known
         if len(self._placed) > PLACES:
             del self._placed[next(iter(self._placed))]
         return known
 
-    def close(self, pair: Pair, there: Placed) -> Iterator[Pair]:
+    def close(self, pair: Pair, there: PlacedParts) -> Iterator[Pair]:
         """Yield the pairs of parts of two bodies that may overlap."""
         if self.single[pair[0]] and self.single[pair[1]]:
             one, other = there.both(pair, (0, 0))
@@ -202,7 +202,7 @@ class Shapes:
         one, other = (range(len(self.parts[body])) for body in pair)
         return product(one, other)
 
-    def gap(self, pair: Pair, here: Placed, *, beside: bool = False) -> float:
+    def gap(self, pair: Pair, here: PlacedParts, *, beside: bool = False) -> float:
         """Return a lower bound of the distance between two bodies [m].
 
         With `beside` it is that of the parts that do not touch.

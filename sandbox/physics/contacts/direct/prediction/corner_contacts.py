@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sandbox.physics.contacts.direct.prediction.convex_parts import Part
+from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexPart
 
 LEAST = 1e-8
 """m, the least depth of a corner that counts: a tenth of the overlap that is left alone."""
@@ -11,11 +11,11 @@ LEAST = 1e-8
 ALIKE = 1e-9
 """m, the tolerance for equal depths of sides, and for corners beyond the end of a side."""
 
-Both = tuple[Part, Part]
+Both = tuple[ConvexPart, ConvexPart]
 """Two parts in the plane."""
 
 
-class Spot(NamedTuple):
+class CornerOnSide(NamedTuple):
     """A corner of one part, and the side of the other part that it meets.
 
     `own` is the part with the side, 0 or 1, and `normal` is the outward unit normal of the side.
@@ -29,13 +29,13 @@ class Spot(NamedTuple):
     gap: float
 
 
-def on_side(both: Both, own: int, side: int, corner: int) -> Spot:
+def on_side(both: Both, own: int, side: int, corner: int) -> CornerOnSide:
     """Return the contact of a side of part `own` with a corner of the other part."""
     owner, guest = both[own], both[1 - own]
     normal = owner.normals[side]
     tip = guest.corners[corner] - normal * guest.rounding
     way = (guest.corners[corner] - owner.corners[side]) * normal.conjugate()
-    return Spot(own, normal, tip, way.real - (owner.rounding + guest.rounding))
+    return CornerOnSide(own, normal, tip, way.real - (owner.rounding + guest.rounding))
 
 
 def within(ended: Both) -> Iterator[tuple[int, int, int]]:

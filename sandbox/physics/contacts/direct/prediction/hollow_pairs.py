@@ -18,16 +18,16 @@ from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Motion
 from sandbox.physics.contacts.direct.prediction.convex_parts import TOUCHING, Pair
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
-from sandbox.physics.geometry.arcs import Piece, Placed, Touch, put
-from sandbox.physics.geometry.curves import verdict
+from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, put
+from sandbox.physics.geometry.curve_contacts import verdict
 from sandbox.physics.geometry.outline_distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.roots import root
-from sandbox.physics.geometry.traces import Spot, Trace, trace, trace_convex
+from sandbox.physics.geometry.traced_contacts import ContactGeometry, Trace, trace, trace_convex
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Plane
 
 if TYPE_CHECKING:
-    from sandbox.physics.engine.batch import Booleans
+    from sandbox.physics.engine.space_arrays import Booleans
 
 SAMPLES = 256
 """The points along an arc for a lower bound of its distance from other bodies."""
@@ -54,7 +54,7 @@ class HollowCorner(NamedTuple):
     own: int
     trace: Trace
 
-    def spot(self, places: Places) -> Spot:
+    def spot(self, places: Places) -> ContactGeometry:
         """Return the contact with the bodies at some positions."""
         return self.trace(places[self.own], places[1 - self.own])
 

@@ -17,13 +17,18 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.detection.contact_queries import Query, Touched, contacts_of, pairs_of
+from sandbox.physics.contacts.detection.contact_queries import (
+    Query,
+    ShapeContact,
+    contacts_of,
+    pairs_of,
+)
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
 from sandbox.physics.contacts.direct.prediction.approaching_pairs import ApproachingPairs
-from sandbox.physics.contacts.direct.prediction.convex_parts import Pair, Placed, Shapes
+from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts, Pair, PlacedParts
 from sandbox.physics.contacts.direct.prediction.corner_contacts import (
     LEAST,
-    Spot,
+    CornerOnSide,
     on_side,
     within,
 )
@@ -33,10 +38,10 @@ from sandbox.physics.contacts.direct.prediction.hollow_pairs import (
     placed,
 )
 from sandbox.physics.contacts.direct.prediction.support_ends import SupportEnds
+from sandbox.physics.contacts.direct.rows.contact_properties import SLOP
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
-from sandbox.physics.contacts.direct.rows.surfaces import SLOP
-from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, order, planes
 
 LOOKS = 30
@@ -89,7 +94,7 @@ class SpeculativeContacts:
     """
 
     def __init__(self, query: Query, surfaces: Surfaces, moves: Booleans) -> None:
-        self._bodies, self._shapes = query.bodies, Shapes(query.bodies)
+        self._bodies, self._shapes = query.bodies, ConvexParts(query.bodies)
         shapes, self._hollows = self._shapes, HollowPairs(query.hollows, len(moves))
         looks = shapes.sided[:, None] & shapes.sided | self._hollows.pairs
         self._looks = looks & ((surfaces.restitution == 0) | surfaces.lands)
@@ -133,7 +138,7 @@ class SpeculativeContacts:
         new = _new(self.contacts(found, kick.place, kick.joints.origin), kick).tolist()
         return [corner for corner, is_new in zip(found, new, strict=True) if is_new]
 
-    def _down(self, pair: Pair, here: Placed, there: Placed) -> Iterator[AnyCorner]:
+    def _down(self, pair: Pair, here: PlacedParts, there: PlacedParts) -> Iterator[AnyCorner]:
         """Yield the corners of two bodies that come down between two placements.
 
         A side that has landed flat touches with one corner only. The other one is then as deep, up
@@ -177,19 +182,19 @@ class SpeculativeContacts:
         hits: Sequence[Hit] = (),
     ) -> Contacts:
         """Return the contacts of corners and of bodies that have met, at given positions."""
-        found: dict[Pair, list[Touched]] = {}
+        found: dict[Pair, list[ShapeContact]] = {}
         for corner in corners:
             touched = self._touched(corner.pair, self._spot(corner, place), origin)
             found.setdefault(corner.pair, []).append(touched)
         for _, pair, normal, points, _, gap in hits:
             both = [(point + origin, point + origin + normal * gap) for point in points]
-            touched = Touched(self._bodies[pair[1]], normal, both, -gap)
+            touched = ShapeContact(self._bodies[pair[1]], normal, both, -gap)
             found.setdefault(pair, []).append(touched)
         return contacts_of(found) if found else NO_CONTACTS
 
-    def _spot(self, corner: AnyCorner, place: Coordinates) -> Spot:
+    def _spot(self, corner: AnyCorner, place: Coordinates) -> CornerOnSide:
         if isinstance(corner, HollowCorner):
-            return Spot(corner.own, *corner.spot(placed(corner.pair, place)))
+            return CornerOnSide(corner.own, *corner.spot(placed(corner.pair, place)))
         pair, parts, own, side, number = corner
         return on_side(self._shapes.at(place).both(pair, parts), own, side, number)
 
@@ -217,12 +222,12 @@ class SpeculativeContacts:
         pairs = pairs_of(contacts)
         return sorted({pair for pair, looks in zip(pairs, turns, strict=True) if looks})
 
-    def _touched(self, pair: Pair, spot: Spot, origin: complex) -> Touched:
+    def _touched(self, pair: Pair, spot: CornerOnSide, origin: complex) -> ShapeContact:
         """Return the contact of a corner with a side."""
         own, normal, gap = spot.own, spot.normal, spot.gap
         tip, foot = spot.tip + origin, spot.tip + origin - normal * gap
         points = (tip, foot) if own else (foot, tip)
-        return Touched(self._bodies[pair[1]], -normal if own else normal, [points], -gap)
+        return ShapeContact(self._bodies[pair[1]], -normal if own else normal, [points], -gap)
 
 
 def _new(found: Contacts, kick: Kick) -> Booleans:

@@ -17,20 +17,24 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.linear_systems import most
-from sandbox.physics.contacts.direct.prediction.convex_parts import Shapes
-from sandbox.physics.contacts.direct.prediction.side_end_crossings import Line, Lying, Passing
-from sandbox.physics.contacts.direct.prediction.side_tables import NEAR, Sides
+from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts
+from sandbox.physics.contacts.direct.prediction.side_end_geometry import (
+    EndCrossing,
+    Line,
+    PointsOnSides,
+)
+from sandbox.physics.contacts.direct.prediction.straight_sides import NEAR, Sides
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.outlines import SHARP
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
-from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, planes
 from sandbox.physics.state.anchor import Plane
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.rows.touching import Touching
+    from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
 
 LEAST = 1e-8
 """m, the least way past the end of a side that counts."""
@@ -48,7 +52,7 @@ class SupportEnds:
     """
 
     def __init__(
-        self, shapes: Shapes, surfaces: Surfaces, hollows: Hollows | None, reach: Array
+        self, shapes: ConvexParts, surfaces: Surfaces, hollows: Hollows | None, reach: Array
     ) -> None:
         pieces = [piece for _, piece in hollows.known()] if hollows else []
         lines = {piece.body: Line.of(piece) for piece in pieces if piece.arc or piece.curve}
@@ -62,12 +66,12 @@ class SupportEnds:
         thickest = max((part.rounding for own in shapes.parts for part in own), default=0.0)
         arms = np.where(np.isfinite(reach), reach, 0.0) + np.where(self._ends, thickest, 0.0)
         self._weights = np.concatenate((np.ones(2 * len(arms) + 2), arms, (0.0,)))
-        self._touching: Touching | None = None  # the points at the last search
+        self._touching: ContactPoints | None = None  # the points at the last search
         self._tips: Plane | None = None  # those opposite to sides, if they may change
         self._seen = self._weights  # the positions then
         self._calm = 0.0  # how far all points were from the ends of sides [m]
 
-    def passing(self, kick: Kick, way: Array, forces: Array) -> list[Passing]:
+    def passing(self, kick: Kick, way: Array, forces: Array) -> list[EndCrossing]:
         """Return the contacts that pass the end of a side within a drift.
 
         Only those that bear a force, or that would overlap at its end beside the corner. `way`,
@@ -104,7 +108,7 @@ class SupportEnds:
         return bool(np.abs(_tips(kick) - self._tips).max() < NEAR)
 
     def after(
-        self, kick: Kick, passing: Sequence[Passing], motion: Array
+        self, kick: Kick, passing: Sequence[EndCrossing], motion: Array
     ) -> tuple[Contacts, Booleans]:
         """Return the contacts that follow, and which bodies touch there with an end: (2, c).
 
@@ -137,7 +141,7 @@ class SupportEnds:
         )
         return found, np.array(ends, dtype=bool).reshape(-1, 2).T
 
-    def _entered(self, kick: Kick, one: Passing, foot: complex, motion: Array) -> complex:
+    def _entered(self, kick: Kick, one: EndCrossing, foot: complex, motion: Array) -> complex:
         """Return the normal of the side of the other body that the end of a side comes onto.
 
         0 if it moves away from all its sides.
@@ -154,7 +158,7 @@ class SupportEnds:
         fastest, normal = max(ways, key=lambda found: found[0], default=(0.0, 0j))
         return complex(normal * turned[body]) if fastest > 0 else 0j
 
-    def _all(self, kick: Kick, ahead: float) -> Iterator[Passing]:
+    def _all(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may pass an end in a drift, given a bound of their way [m]."""
         touching = kick.layout.touching
         self._touching, self._seen, self._calm = touching, kick.place.values, inf
@@ -170,9 +174,9 @@ class SupportEnds:
             if line and ((one.gap, one.bodies[0]) in on or line.has_center(tip)):
                 yield from self._off(kick, ahead, one, line)
 
-    def _leaving(self, kick: Kick, ahead: float) -> Iterator[Passing]:
+    def _leaving(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may leave a side in a drift; see `_all`."""
-        lying, sides = Lying.at(kick, self._sides), self._sides
+        lying, sides = PointsOnSides.at(kick, self._sides), self._sides
         for way, ends, until in ((-1, sides.begin, lying.begin), (1, sides.end, lying.end)):
             left = lying.left(way)
             self._note(float(left.min()))
@@ -181,7 +185,7 @@ class SupportEnds:
                 if not (lying.flat[gap] or self._is_tip(int(lying.other[gap]), lying.point[gap])):
                     continue
                 normal, end = complex(sides.normal[own, number]), float(ends[own, number])
-                yield Passing(
+                yield EndCrossing(
                     int(kick.layout.touching.pair[gap]),
                     gap,
                     (own, int(lying.other[gap])),
@@ -199,7 +203,7 @@ class SupportEnds:
         """
         return not self._sides.any[body] or any(self._sides.at(body, complex(point)))
 
-    def _without_side(self, kick: Kick) -> Iterator[tuple[Passing, complex]]:
+    def _without_side(self, kick: Kick) -> Iterator[tuple[EndCrossing, complex]]:
         """Yield the contacts without a straight side, for each of the two bodies.
 
         These are still without an end that they pass; and the body's point, along its axes [m].
@@ -210,11 +214,11 @@ class SupportEnds:
             bodies, tips = touching.bodies[:, gap].tolist(), points[:, gap].tolist()
             for (own, tip), (other, point) in permutations(zip(bodies, tips, strict=True)):
                 pair = int(touching.pair[gap])
-                yield Passing(pair, gap, (own, other), 0j, 0j, point, leaves=False), tip
+                yield EndCrossing(pair, gap, (own, other), 0j, 0j, point, leaves=False), tip
 
     def _coming(
-        self, kick: Kick, ahead: float, passing: Passing, tip: complex
-    ) -> Iterator[Passing]:
+        self, kick: Kick, ahead: float, passing: EndCrossing, tip: complex
+    ) -> Iterator[EndCrossing]:
         """Yield a contact of a corner for each side that it may come onto; see `_all`."""
         for normal, foot, way in self._sides.at(passing.bodies[0], tip):
             one = passing._replace(foot=foot, onwards=1j * way * normal)
@@ -223,7 +227,9 @@ class SupportEnds:
             if -NEAR < left < ahead and dot(one.seen(kick.place) - foot, normal) > 0:
                 yield one
 
-    def _off(self, kick: Kick, ahead: float, passing: Passing, line: Line) -> Iterator[Passing]:
+    def _off(
+        self, kick: Kick, ahead: float, passing: EndCrossing, line: Line
+    ) -> Iterator[EndCrossing]:
         """Yield a contact for each end of an arc or a curve at which it may leave; see `_all`."""
         for end, onwards in line.ends:
             one = passing._replace(foot=end, onwards=onwards, leaves=True)
@@ -239,7 +245,7 @@ class SupportEnds:
         self._calm = max(0.0, min(self._calm, left))
 
 
-def _comes_down(kick: Kick, one: Passing, there: Coordinates) -> bool:
+def _comes_down(kick: Kick, one: EndCrossing, there: Coordinates) -> bool:
     """Return whether a disc that turns about a corner overlaps the next side at some positions."""
     if one.leaves:
         return False

@@ -17,9 +17,9 @@ from typing import NamedTuple
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.rows.outlines import Figures
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.outline_distance import dot
-from sandbox.physics.geometry.plane_curve import Course, Foot
+from sandbox.physics.geometry.plane_curve import Course, CurvePoint
 from sandbox.physics.state.anchor import Plane
 
 ACROSS = 1e-7
@@ -29,7 +29,7 @@ FLAT = 1e-4
 """1/m, the curvature below which a straight side touches a curve only with its ends."""
 
 
-class Followed(NamedTuple):
+class FollowedContact(NamedTuple):
     """A contact on a curve, at some position.
 
     `gap` and `slip` are V and S above [m], and `normal` is n, from the curve to P, along the axes
@@ -43,7 +43,7 @@ class Followed(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Curved:
+class CurveContact:
     """A contact point on a curve.
 
     `point` is the index of the contact point. `curve` and `other` are the bodies; `sign` is 1 if
@@ -57,12 +57,12 @@ class Curved:
     other: int
     sign: int
     course: Course
-    foot: Foot
+    foot: CurvePoint
     hand: int
     start: float
     radius: float
 
-    def look(self, place: complex) -> Followed:
+    def look(self, place: complex) -> FollowedContact:
         """Return the contact with P at a place, along the axes of the curve's body."""
         first, foot = self.foot, self.course.follow(place, self.foot.at)
         left = 1j * foot.tangent
@@ -70,7 +70,7 @@ class Curved:
         turned = phase(foot.tangent / first.tangent)
         way = self.course.length(first.at, foot.at) - self.start * turned
         share = (1 - foot.bend * self.start) / (1 - foot.bend * apart)
-        return Followed(self.hand * apart, -self.hand * way, self.hand * left, share)
+        return FollowedContact(self.hand * apart, -self.hand * way, self.hand * left, share)
 
     @property
     def center(self) -> complex:
@@ -89,7 +89,7 @@ def on_curves(
     normal: Plane,
     points: Plane,
     placed: tuple[Plane, Plane],
-) -> Iterator[Curved]:
+) -> Iterator[CurveContact]:
     """Yield the contact points on curves, but for their ends, which count as discs.
 
     `bodies`, (2, k), are the two bodies of each point, `normal`, (k,), is from the first to the
@@ -115,10 +115,10 @@ def on_curves(
                     left = 1j * foot.tangent
                     hand = 1 if dot(out / turned, left) >= 0 else -1
                     start = dot(at - foot.point, left)
-                    yield Curved(point, curve, other, sign, course, foot, hand, start, radius)
+                    yield CurveContact(point, curve, other, sign, course, foot, hand, start, radius)
 
 
-def _end(course: Course, point: complex, half: float) -> Foot | None:
+def _end(course: Course, point: complex, half: float) -> CurvePoint | None:
     """Return the end of a curve, half as thick, that a point is across; None if it is beyond."""
     for end in course.ends:
         way = point - end.point
@@ -128,7 +128,7 @@ def _end(course: Course, point: complex, half: float) -> Foot | None:
 
 
 def follow_curves(
-    curved: Sequence[Curved],
+    curved: Sequence[CurveContact],
     placed: tuple[Plane, Plane],
     arms: Plane,
     rows: tuple[Array, Array, Plane, Plane],
@@ -151,7 +151,7 @@ def follow_curves(
 
 
 def roll_on_curves(
-    curved: Sequence[Curved], faces: Booleans, rubs: Integers, figures: Figures, rolls: Array
+    curved: Sequence[CurveContact], faces: Booleans, rubs: Integers, figures: Figures, rolls: Array
 ) -> None:
     """Set the radii by which the angles of bodies count in the slip on curves.
 

@@ -24,15 +24,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.rows.contact_points import FROM_TO, ContactPoints
 from sandbox.physics.contacts.direct.rows.curve_contacts import (
-    Curved,
+    CurveContact,
     follow_curves,
     on_curves,
     roll_on_curves,
 )
 from sandbox.physics.contacts.direct.rows.outlines import SHARP, Outlines
-from sandbox.physics.contacts.direct.rows.touching import FROM_TO, Touching
-from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Plane
 
@@ -72,7 +72,7 @@ class Features:
         (k,), where corners meet corners, which count as sides of the first body; None if nowhere.
     """
 
-    touching: Touching
+    touching: ContactPoints
     points: Plane
     side: Integers
     normal: Plane
@@ -82,7 +82,7 @@ class Features:
     rolls: Array
     circles: Array
     apart: Plane
-    curved: tuple[Curved, ...] = ()
+    curved: tuple[CurveContact, ...] = ()
     corners: Booleans | None = None
 
     def look(self, place: Coordinates, total: Array, jacobian: Array) -> None:
@@ -156,7 +156,7 @@ def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice
 
 
 def features(
-    contacts: Contacts, touching: Touching, place: Coordinates, origin: complex
+    contacts: Contacts, touching: ContactPoints, place: Coordinates, origin: complex
 ) -> Features:
     """Return the contact points of a step; the origin is that of the positions [m]."""
     bodies, pair, _, number, rubs = touching[:5]
@@ -202,7 +202,7 @@ def features(
     )
 
 
-def _owners(touching: Touching, out: Plane) -> Booleans:
+def _owners(touching: ContactPoints, out: Plane) -> Booleans:
     """Return which body has the side: (2, k), at most one of the two at each point.
 
     `out`, (2, k), is the direction from each body to the other, along its axes.
@@ -217,7 +217,7 @@ def _owners(touching: Touching, out: Plane) -> Booleans:
 
 
 def _with_curves(
-    curved: Sequence[Curved],
+    curved: Sequence[CurveContact],
     place: Coordinates,
     is_round: Booleans,
     center: Plane,
@@ -273,7 +273,7 @@ def _bends(
 
 
 def _rolls(
-    touching: Touching,
+    touching: ContactPoints,
     is_round: Booleans,
     owns: Booleans,
     sign: Array | None,
@@ -301,7 +301,7 @@ def _rolls(
     return np.where(owns.take(rubs, axis=1), radius[::-1], own)
 
 
-def _circles(sign: Array | None, curved: Sequence[Curved], rubs: Integers) -> Array:
+def _circles(sign: Array | None, curved: Sequence[CurveContact], rubs: Integers) -> Array:
     """Return s for friction between discs, and 0 where there is a side or a curve: (f,)."""
     if sign is None:
         return np.zeros(len(rubs))

@@ -9,7 +9,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.rows.gap_functions import Features, features
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
-from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import (
     Coordinates,
     Rows,

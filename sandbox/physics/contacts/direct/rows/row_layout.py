@@ -8,17 +8,17 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.message import Message
+from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import (
     NO_FRICTION,
     Friction,
     Problem,
-    TooMuch,
+    SystemTooLarge,
 )
 from sandbox.physics.contacts.direct.complementarity.islands import islands
+from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
 from sandbox.physics.contacts.direct.rows.outlines import Figures
-from sandbox.physics.contacts.direct.rows.touching import Touching
-from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 MOST_ROWS = 1500
@@ -78,7 +78,7 @@ class Layout:
 
     problem: Problem
     islands: list[Island]
-    touching: Touching
+    touching: ContactPoints
     restitution: Array
     joints: slice
     gaps: slice
@@ -145,12 +145,12 @@ class Layout:
 def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> Layout:
     """Return the rows of joints and contacts; the two points of a side share one row of friction.
 
-    `moves`, (n,), tells which bodies are dynamic. Raises `TooMuch` if there are more rows than a
-    step can solve.
+    `moves`, (n,), tells which bodies are dynamic. Raises `SystemTooLarge` if there are more rows
+    than a step can solve.
     """
     first, count = len(joints.pulls_only), len(contacts.bodies)
     slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
-    touching = Touching.between(contacts, (slips > 0) | (static > 0), surfaces.figures, moves)
+    touching = ContactPoints.between(contacts, (slips > 0) | (static > 0), surfaces.figures, moves)
     pair, rubs, (a, b) = touching.pair, touching.rubs, touching.bodies
     contact = _points_of(rubs, pair[count:], count)
     contact = np.where(contact >= 0, contact + first, -1)
@@ -239,8 +239,8 @@ def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
     return np.stack((rubs, partner[rubs]))
 
 
-def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
-    """Refuse islands with more rows than a step can solve: raise `TooMuch` if there are any."""
+def _refuse_large(parts: Sequence[Island], touching: ContactPoints) -> None:
+    """Raise `SystemTooLarge` if an island has more rows than a step can solve."""
     if sum(len(part.rows) ** 3 for part in parts) <= MOST_ROWS**3:
         return
     body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
@@ -251,7 +251,7 @@ def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
         count=most,
         most=MOST_ROWS,
     )
-    raise TooMuch(body, reason)
+    raise SystemTooLarge(body, reason)
 
 
 def _alike(joints: Integers, whole: int) -> Integers | None:

@@ -20,7 +20,7 @@ they would add none. Measured: 2e-4 in smooth motion, 8e-2 where heavy bodies sq
 one between them."""
 
 
-class Held(NamedTuple):
+class ConstraintImpulses(NamedTuple):
     """The impulses that satisfy all rows; r of them, N bodies with the plane.
 
     `moved`, (3 N,), are the velocities with the impulses, (r,) [m/s, rad/s], and `active` the
@@ -35,7 +35,7 @@ class Held(NamedTuple):
 
 def hold(
     kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool, placed: bool = False
-) -> Held:
+) -> ConstraintImpulses:
     """Return impulses that satisfy all rows at the end of the drift, and the velocities with them.
 
     Newton's method starts with the forces of the last step. If it does not converge, or if its
@@ -65,12 +65,12 @@ def _found(
     *,
     driven: bool,
     placed: bool,
-) -> Held:
+) -> ConstraintImpulses:
     joints, wanted, (impulse, active) = kick.joints, kick.targets(), guess
-    found: Held | None = None
+    found: ConstraintImpulses | None = None
     try:
         args = motion, joints.drift, wanted, impulse, active
-        found = Held(*newton(kick, layout, kick.rows, *args))
+        found = ConstraintImpulses(*newton(kick, layout, kick.rows, *args))
         energy = joints.kinetic(motion)
         grown = _grows(kick, motion, found, energy)
         if not (grown or _squeezes(kick, motion, found, energy)):
@@ -82,7 +82,7 @@ def _found(
     none = 0.0 * impulse
     try:
         args = motion, joints.drift, wanted, none, active
-        flat = Held(*newton(kick, layout, kick.flat_rows, *args), flat=True)
+        flat = ConstraintImpulses(*newton(kick, layout, kick.flat_rows, *args), flat=True)
     except (JointFailure, NoForces):
         if found is None or grown:
             raise
@@ -94,7 +94,7 @@ def _found(
     return flat
 
 
-def _grows(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
+def _grows(kick: Kick, motion: Array, found: ConstraintImpulses, energy: float) -> bool:
     """Return whether energy comes from nowhere: from no winch, belt or kinematic body.
 
     `energy` is the kinetic energy without impulses [J].
@@ -112,7 +112,7 @@ def _grows(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
     return grown > float(work)
 
 
-def _squeezes(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
+def _squeezes(kick: Kick, motion: Array, found: ConstraintImpulses, energy: float) -> bool:
     """Return whether normal forces add energy; see `_grows`.
 
     Their work is compared with the free motion, and with the motion that the joints allow: without

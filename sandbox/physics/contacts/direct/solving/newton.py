@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct.complementarity.mixed_complementarity impor
 )
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Island, Layout
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import MAX_ITERATIONS, QUADRATIC, Rows
 from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces

@@ -1,4 +1,4 @@
-"""Contacts that joints determine, as that of a body with the ground to which it is pinned.
+"""Contacts made redundant by joints, such as that of a body with the ground to which it is pinned.
 
 Such a contact has no freedom left, and as its rounded corner turns, it contradicts the pin by some
 nanometres. There the pin holds, and the contact bears nothing.
@@ -8,11 +8,11 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.linear_systems import CUT, nearest
+from sandbox.physics.contacts.direct.rows.contact_properties import SLOP
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
-from sandbox.physics.contacts.direct.rows.surfaces import SLOP
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.state.errors import NoForces
 
 MOVES = 1e3 * CUT

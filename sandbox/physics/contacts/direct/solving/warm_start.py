@@ -12,10 +12,10 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
 from sandbox.physics.contacts.direct.complementarity.linear_systems import most
+from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
-from sandbox.physics.contacts.direct.rows.touching import Touching
-from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.shake import parabola
 
 SMOOTH = 0.5
@@ -30,7 +30,7 @@ Key = tuple[int, int, int, int]
 """The two bodies, the lower index first, which of their contacts it is, and which of its points."""
 
 
-class Known(NamedTuple):
+class LastKick(NamedTuple):
     """The outcome of a kick, for the next one: its layout, forces, (r,) [N], and active rows."""
 
     layout: Layout
@@ -52,7 +52,7 @@ class WarmStart:
     """Remembers a kick for the next one."""
 
     def __init__(self) -> None:
-        self._known: Known | None = None
+        self._known: LastKick | None = None
         self._past: list[Array] = []  # the forces since the same rows hold, (r,) [N], newest first
 
     def forget(self) -> None:
@@ -61,7 +61,7 @@ class WarmStart:
 
     def note(self, kick: Kick, forces: Array, active: Active) -> None:
         """Remember the forces of a kick, (r,) [N], and its active rows."""
-        known, self._known = self._known, Known(kick.layout, forces, active)
+        known, self._known = self._known, LastKick(kick.layout, forces, active)
         same = known and known.layout is kick.layout and known.active.equals(active)
         self._past = [forces, *self._past[:2]] if same else [forces]
 
@@ -112,7 +112,7 @@ class WarmStart:
         bend = most(last - 2 * before + first)
         return parabola(self._past) if bend <= SMOOTH * most(last - before) else last
 
-    def _recalled(self, kick: Kick) -> Known | None:
+    def _recalled(self, kick: Kick) -> LastKick | None:
         """Return the last kick, if it had the same contacts."""
         known = self._known
         return known if known and known.layout.touching is kick.layout.touching else None
@@ -163,12 +163,12 @@ def _same(new: list[Key], old: list[Key]) -> list[tuple[int, int]]:
     return [(place, places[key]) for place, key in enumerate(new) if key in places]
 
 
-def _rubbing(touching: Touching, keys: list[Key]) -> list[Key]:
+def _rubbing(touching: ContactPoints, keys: list[Key]) -> list[Key]:
     """Return the keys of friction, at either point, from those of all gaps."""
     return [(*keys[gap][:3], 0) for gap in touching.rubs.tolist()]
 
 
-def _keys(touching: Touching) -> list[Key]:
+def _keys(touching: ContactPoints) -> list[Key]:
     """Return the keys by which gaps are recognised in the next step.
 
     pymunk may exchange the two bodies of a contact from one step to the next. Its two points then

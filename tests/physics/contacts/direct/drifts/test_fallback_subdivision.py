@@ -9,10 +9,10 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
 from sandbox.physics.contacts.direct.drifts import fallback_subdivision
-from sandbox.physics.contacts.direct.kicks.kick_parts import Taken
-from sandbox.physics.contacts.direct.kicks.kick_with_impacts import Beginning, take
+from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult
+from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, take
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solver import Direct
+from sandbox.physics.contacts.direct.solver import DirectSolver
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build, simulate
@@ -98,16 +98,18 @@ def end(rate: float) -> Array:
 def in_two(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every drift be taken in two parts."""
 
-    def refuse(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False) -> Taken:
+    def refuse(
+        kick: Kick, start: KickStart, known: WarmStart, *, placed: bool = False
+    ) -> KickResult:
         if kick.joints.drift == start.step and start.lead > 0:
             raise NoForces(0, 1)
         return take(kick, start, known, placed=placed)
 
-    def together(direct: Direct, _until: float) -> None:
+    def together(direct: DirectSolver, _until: float) -> None:
         direct._solve_all()
 
     monkeypatch.setattr(solver, "take", refuse)
-    monkeypatch.setattr(Direct, "_solve_joints", together)
+    monkeypatch.setattr(DirectSolver, "_solve_joints", together)
 
 
 @pytest.mark.sweep

@@ -13,9 +13,9 @@ from sandbox.model.loading import choose
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
 from sandbox.physics.contacts.direct.drifts import landing_drifts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solving.constraint_impulses import Held, hold
+from sandbox.physics.contacts.direct.solving.constraint_impulses import ConstraintImpulses, hold
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.guarding.energy_gain import Gains
 from sandbox.physics.measuring.impacts import impacts
 from sandbox.physics.measuring.recording import Recorder
@@ -58,7 +58,9 @@ def test_what_it_has_nothing_to_do_with_is_not_solved_anew(monkeypatch: pytest.M
     """A box comes down beside two that stand by themselves: three islands, of which one counts."""
     solved: list[int] = []
 
-    def noted(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool) -> Held:
+    def noted(
+        kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool
+    ) -> ConstraintImpulses:
         solved.append(len(kick.layout.islands))
         return hold(kick, motion, guess, driven=driven)
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.physics.contacts.direct.prediction.convex_parts import PLACES, Part, Shapes
+from sandbox.physics.contacts.direct.prediction.convex_parts import PLACES, ConvexPart, ConvexParts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.run import build
 from tests.physics.scenes import box, disc, level
@@ -14,10 +14,10 @@ NUMBERS = st.floats(-2, 2)
 
 
 @pytest.fixture
-def shapes() -> Shapes:
+def shapes() -> ConvexParts:
     """A box and a disc."""
     world = build(level({"box": box(), "ball": disc((3, 0))}, {"contact": {}}))
-    return Shapes(list(world.scene.bodies.values()))
+    return ConvexParts(list(world.scene.bodies.values()))
 
 
 def somewhere(x: float) -> Coordinates:
@@ -25,7 +25,7 @@ def somewhere(x: float) -> Coordinates:
     return Coordinates.of(np.array([x, 3.0, 0.0], dtype=complex), np.zeros(3))
 
 
-def test_what_is_asked_for_again_is_placed_already(shapes: Shapes) -> None:
+def test_what_is_asked_for_again_is_placed_already(shapes: ConvexParts) -> None:
     """A drift is looked at from its start again and again: by value, not by what holds it."""
     once = shapes.at(somewhere(0))
     shapes.at(somewhere(1))
@@ -34,7 +34,7 @@ def test_what_is_asked_for_again_is_placed_already(shapes: Shapes) -> None:
     assert shapes.at(somewhere(1)) is not once
 
 
-def test_only_the_last_places_are_remembered(shapes: Shapes) -> None:
+def test_only_the_last_places_are_remembered(shapes: ConvexParts) -> None:
     once = shapes.at(somewhere(0))
     for x in range(1, PLACES + 1):
         shapes.at(somewhere(x))
@@ -55,7 +55,7 @@ def test_the_side_that_shows_best_is_the_one_of_the_largest_of_the_least_heights
     assert apart == max(heights)
 
 
-def square() -> Part:
+def square() -> ConvexPart:
     """One of 1 m."""
     corners = [complex(x, y) / 2 for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-    return Part(corners, [-1j, 1 + 0j, 1j, -1 + 0j], [1.0] * 4, 0.0, 0j, abs(corners[0]))
+    return ConvexPart(corners, [-1j, 1 + 0j, 1j, -1 + 0j], [1.0] * 4, 0.0, 0j, abs(corners[0]))

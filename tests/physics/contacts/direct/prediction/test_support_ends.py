@@ -12,7 +12,7 @@ from sandbox import make
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.level_catalog import find
-from sandbox.physics.contacts.direct.prediction.side_end_crossings import Passing
+from sandbox.physics.contacts.direct.prediction.side_end_geometry import EndCrossing
 from sandbox.physics.contacts.direct.prediction.support_ends import SupportEnds
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.run import build
@@ -270,7 +270,7 @@ def test_the_table_bears_a_disc_up_to_the_last_step_before_its_end() -> None:
 def test_what_stays_on_its_support_is_hardly_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
     looks, search = [], SupportEnds._all
 
-    def counted(ends: SupportEnds, kick: Kick, ahead: float) -> Iterator[Passing]:
+    def counted(ends: SupportEnds, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         looks.append(ahead)
         return search(ends, kick, ahead)
 

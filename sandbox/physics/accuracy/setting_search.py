@@ -1,0 +1,288 @@
+"""The cheapest setting, found by short runs.
+
+Each scheme that the level can use runs at a sequence of rates, each twice the one before, until
+the cheapest run that is accurate enough is known. Then a rate between that run and the one before
+is tried. If no run is accurate enough yet, a rate is extrapolated by the order of the scheme. A run
+at that rate and one at twice the rate confirm it, unless they are too much work.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from math import log2
+from time import thread_time
+from typing import Literal
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct, may_be_direct
+from sandbox.model.schemes import unsmooth
+from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
+from sandbox.physics.accuracy.compared_runs import (
+    Stop,
+    Watched,
+    never,
+    record,
+    record_around,
+    scaled,
+    stride,
+)
+from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocities
+from sandbox.physics.accuracy.exceptions import AccuracyError
+from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, in_step, step_durations
+from sandbox.physics.accuracy.refinement_search import (
+    FEWEST,
+    Progress,
+    Refiner,
+    at_rate,
+    cost,
+    refine,
+)
+from sandbox.physics.accuracy.richardson import ORDERS
+from sandbox.physics.guarding.rate_limits import needed
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping.make_world import make_world
+
+CONFIRMED = 2.0
+"""The work of confirming a result, as a multiple of the work of the search."""
+
+FEW = 400
+"""The most steps of the first run: a long run may begin at a rate that nobody would choose."""
+
+CLOSER = 4
+"""The rate of the run that shows the errors where forces set in or end, as a multiple."""
+
+LONGEST = 4.0
+"""The first rate of a long run is halved until it is no higher than this [Hz]."""
+
+MORE_SWEEPS = 4
+"""How many times as many solver iterations the reference runs have."""
+
+
+@dataclass(frozen=True, slots=True)
+class SearchResult:
+    """The cheapest setting or, if none will do, the most accurate, and the runs behind it."""
+
+    level: Level
+    values: Values
+    target: float
+    wanted: Sequence[Watched]
+    offers: Offers
+    chosen: Candidate
+
+    @property
+    def decided_by(self) -> str:
+        """The quantity with the largest error; empty if no quantity has any."""
+        return self.chosen.decided_by or self.offers.decisive(self.chosen, self.wanted)
+
+    def timed(self) -> Offer:
+        """Return the setting with its cost, which is timed."""
+        return self.chosen.offer(*step_durations(self.level, self.values, self.chosen.stepping))
+
+    def in_real_time(self) -> Offer | None:
+        """Return the most accurate setting that runs in real time."""
+        last = [refinement.traces[-1].stepping for refinement in self.offers.refinements]
+        return self.offers.in_real_time(step_durations(self.level, self.values, *last))
+
+
+@dataclass(frozen=True, slots=True)
+class Seeker:
+    """A search for the cheapest setting of a level; the parameters are those of `calibrate`."""
+
+    level: Level
+    values: Values
+    target: float
+    budget: float
+    progress: Progress | None
+    stop: Stop
+
+    def found(self, wanted: Sequence[Watched]) -> SearchResult:
+        """Return the cheapest setting that reaches the target, or else the most accurate.
+
+        Raises `AccuracyError` if the level takes too long to run, `Cancelled` if `stop` returned
+        true, and `SimulationError` if the level does not run at all.
+        """
+        begun = thread_time()
+        if self.progress:
+            self.progress(0.0, at_rate("leapfrog", self.level.stepping.rate))
+        own = own_run(self.level, self.values, wanted, self.stop)
+        wanted = scaled(wanted, own) if own else wanted
+        refiners = [
+            Refiner(self.level, self.values, start, wanted, self.target, known=own)
+            for start in _candidates(self.level, self.values)
+        ]
+        refinements = refine(refiners, self.budget, self.stop, self.progress, begun)
+        if not refinements and (failure := refiners[-1].failure):
+            raise failure
+        if not refinements:
+            raise AccuracyError("the level takes too long to run to search for its accuracy")
+        offers = Offers(refinements, [cost(refiners, refinement) for refinement in refinements])
+        chosen = self._chosen(offers, wanted)
+        if chosen.error > self.target and chosen.stepping.is_stock:
+            others = chosen, self._chosen(offers.without_stock, wanted)
+            chosen = min(others, key=lambda found: max(found.error, self.target))
+        return SearchResult(self.level, self.values, self.target, wanted, offers, chosen)
+
+    def _chosen(self, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
+        """Return the cheapest setting of those offered, or the most accurate."""
+        chosen = offers.best(self.target)
+        if chosen.trace is None:
+            chosen = self._confirmed(chosen, wanted)
+        elif chosen.error <= self.target:
+            chosen = self._refined(chosen, offers, wanted)
+        if chosen.error <= self.target and stride(chosen.stepping.rate) > 1:
+            return self._at_every_step(chosen, offers.refinements[0].traces[-1], wanted)
+        return chosen
+
+    def _run(self, stepping: Stepping, wanted: Sequence[Watched]) -> Trace:
+        return record(self.level, self.values, stepping, wanted, self.stop)
+
+    def _refined(self, chosen: Candidate, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
+        """Return a setting at a rate between the chosen run and the one before, if it will do."""
+        best = offers.refinements[0]
+        refinement = next(found for found in offers.refinements if chosen.trace in found.traces)
+        rate = refinement.between(self.target)
+        if rate is None:
+            return chosen
+        stepping = chosen.stepping.at(rate)
+        with suppress(SimulationError):
+            trace = self._run(stepping, wanted)
+            error = furthest(trace, best.traces[-1], wanted)[0] + best.errors[-1]
+            if error <= self.target:
+                return Candidate(stepping, error, trace, chosen.work * rate / chosen.stepping.rate)
+        return chosen
+
+    def _confirmed(self, chosen: Candidate, wanted: Sequence[Watched]) -> Candidate:
+        """Return an extrapolated setting with its measured error, unless that is too much work."""
+        rate, work = chosen.stepping.rate, 3 * chosen.work * self.level.duration(self.values)
+        if work > CONFIRMED * self.budget or 2 * rate > HIGHEST_RATE:
+            return chosen
+        try:
+            here, finer = (self._run(chosen.stepping.at(r), wanted) for r in (rate, 2 * rate))
+        except SimulationError:
+            return chosen._replace(error=float("inf"))
+        spare = 1 + 1 / (2 ** (NEARLY * ORDERS[chosen.stepping.scheme]) - 1)
+        return chosen._replace(error=spare * furthest(here, finer, wanted)[0], trace=here)
+
+    def _at_every_step(
+        self, chosen: Candidate, best: Trace, wanted: Sequence[Watched]
+    ) -> Candidate:
+        """Return a setting that is as accurate where forces set in or end, if there is one.
+
+        These steps may not be among those that were compared, nor the first ones, in which stock
+        pymunk lets bodies fall that rest. Lower rates than the one that certainly suffices may do,
+        and are tried first. If no rate is sufficient, the setting is returned with its error there.
+        """
+        found = onsets(best, wanted, chosen.stepping.rate, self.target)
+        if chosen.stepping.is_stock:
+            found = Onsets([0.0, *found.times], velocities(best, wanted), found.rate)
+        here = self._around(chosen, found)
+        if here.error <= self.target or not 0 < found.rate <= HIGHEST_RATE:
+            return here
+        own = chosen.stepping.rate
+        for halvings in range(max(int(log2(found.rate / own)), 0), -1, -1):
+            rate = in_step(found.rate / 2**halvings, own)
+            work = rate / own * chosen.work
+            there = self._around(
+                chosen._replace(stepping=chosen.stepping.at(rate), work=work), found
+            )
+            if there.error <= self.target:
+                return there
+        return here
+
+    def _around(self, chosen: Candidate, onsets: Onsets) -> Candidate:
+        """Return a setting with its error around the times when forces set in or end."""
+        if not onsets.times:
+            return chosen
+        rate = chosen.stepping.rate
+        if (1 + CLOSER) * chosen.work * self.level.duration(self.values) > CONFIRMED * self.budget:
+            worst, item = self.target * onsets.rate / rate, onsets.items[0]
+        else:
+            run, finer = (
+                record_around(
+                    self.level, self.values, chosen.stepping.at(parts * rate),
+                    onsets.items, onsets.times, self.stop, parts,
+                )
+                for parts in (1, CLOSER)
+            )  # fmt: skip
+            off, found = furthest(run, finer, onsets.items)
+            worst, item = off * CLOSER / (CLOSER - 1), found or onsets.items[0]
+        if worst <= chosen.error:
+            return chosen
+        return chosen._replace(error=worst, decided_by=item.quantity)
+
+
+def own_run(
+    level: Level, values: Values, wanted: Sequence[Watched], stop: Stop = never
+) -> Trace | None:
+    """Return a run at the level's own rate, from which motion gets its scales.
+
+    None if no motion is watched, so that nothing is run for it, or if it has to stop. Raises
+    `Cancelled` if `stop` returned true.
+    """
+    if not any(item.motion for item in wanted):
+        return None
+    solver = "direct" if _may_pile(level) else level.stepping.solver
+    said = level.stepping
+    own = Stepping(rate=said.rate, iterations=said.iterations, solver=solver)
+    with suppress(SimulationError):
+        return record(level, values, own, wanted, stop)
+    return None
+
+
+def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
+    """Yield the steppings to try, each at its lowest rate; the best reference comes first.
+
+    For a smooth level it begins below the lowest rate that may be chosen, so as to show its order.
+    """
+    rate = foot(level.stepping.rate) / (1 if level.effects.contact else 2)
+    while rate * level.duration(values) > FEW and rate > LONGEST:
+        rate /= 2
+    lowest, floor = rate, _floor(level, values)
+    while rate < floor and rate * 2**FEWEST <= HIGHEST_RATE:
+        rate *= 2
+    said = level.stepping
+    solver: Literal["iterative"] | None = "iterative" if _may_pile(level) else None
+    start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver or solver)
+    if not unsmooth(level):
+        yield start.model_copy(update={"scheme": "fourth-order", "rate": rate / 2})
+    elif contact := level.effects.contact:
+        if _may_pile(level):
+            yield start.model_copy(update={"solver": "direct"})
+        judge = start  # the direct solver takes no sweeps
+        if not is_direct(level, start):
+            more = min(MORE_SWEEPS * start.iterations, 1000)
+            judge = start.model_copy(update={"iterations": more})
+            yield judge
+        if contact.located or level.effects.in_sequence:  # locating and sequences cost time
+            naive = judge if level.effects.in_sequence else start  # rows together need more sweeps
+            yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})
+    yield start
+
+
+def _may_pile(level: Level) -> bool:
+    """Whether bodies may rest on others, so that a direct contact solver is worth trying.
+
+    Bodies that hit several others at once rebound differently with it, and a single body that rests
+    on immovable ones needs only a few sweeps.
+    """
+    if level.stepping.solver or not may_be_direct(level) or (level.joints and is_direct(level)):
+        return False
+    if level.effects.restitution or level.effects.sticking:
+        return False
+    return sum(body.type == "dynamic" for body in level.bodies.values()) > 1
+
+
+def _floor(level: Level, values: Values) -> float:
+    """Return the rate that the beginning needs [Hz]: runs below it can agree on a wrong result.
+
+    It follows from the state after the shortest step, with a scheme that does not wait for piles to
+    settle; 0 if that step is impossible.
+    """
+    try:
+        world = make_world(level, values, Stepping(rate=HIGHEST_RATE, scheme="symplectic-euler"))
+        now = world.advance()
+    except SimulationError:
+        return 0.0
+    contact = level.effects.contact
+    return needed(world.scene, now, (contact and contact.located) or ())

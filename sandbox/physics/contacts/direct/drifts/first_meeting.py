@@ -1,0 +1,167 @@
+"""What meets first in a drift, or passes the end of its support, and when."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Path
+from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.contacts.direct.drifts.flush_surfaces import carries_on
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.prediction.side_end_geometry import EndCrossing
+from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
+    AnyCorner,
+    SpeculativeContacts,
+)
+from sandbox.physics.engine.space_arrays import Contacts
+from sandbox.physics.geometry.roots import root
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
+
+SOON = 1e-6
+"""The share of a drift at its start for which no kick is solved, and at its end in which no landing
+is located: that waits for the next drift."""
+
+BEYOND = 0.01
+"""The share of the rest of a drift after which it is seen what carries on a body that passes the
+end of a side: at the end itself, lines that continue each other leave it to each other."""
+
+TOGETHER = 1e-9
+"""The share of a drift within which landings coincide, and the tolerance of their time."""
+
+
+class PossibleMeetings(NamedTuple):
+    """What may meet, or pass the end of its support, in a drift.
+
+    `pairs` are those of bodies that do not touch, and may land; `corners` may land on a side of a
+    body which theirs already touches. `passing` are the contacts that may pass the end of a side.
+    """
+
+    pairs: Sequence[Pair]
+    corners: Sequence[AnyCorner]
+    passing: Sequence[EndCrossing]
+
+
+class FirstMeeting(NamedTuple):
+    """The first landing of a drift, or the first contacts that pass the end of a side.
+
+    `time` is since the start of the drift [s]. `hits` are the impacts of bodies that did not touch
+    before; `corners` land on a side of a body which theirs already touches; `passing` are the
+    contacts that pass the end of a side, if nothing lands. `coming` are all pairs of bodies that
+    meet in the drift, these and those that follow, and `falling` those of which a corner lands in
+    it.
+    """
+
+    time: float
+    hits: Sequence[Hit]
+    corners: Sequence[AnyCorner]
+    passing: Sequence[EndCrossing]
+    coming: Sequence[Pair]
+    falling: Sequence[Pair]
+
+    @property
+    def again(self) -> PossibleMeetings:
+        """The same, to be found in another drift."""
+        return PossibleMeetings(
+            sorted({hit.bodies for hit in self.hits}), self.corners, self.passing
+        )
+
+    @property
+    def pairs(self) -> list[Pair]:
+        """The pairs of bodies that take part."""
+        others = (*(one.pair for one in self.corners), *(one.bodies for one in self.passing))
+        return [*self.again.pairs, *others]
+
+
+class MeetingFinder:
+    """Finds what meets first in a drift; N bodies with the plane.
+
+    `speculative` knows the bodies; `laws`, (3 N,), are the accelerations by gravity and force
+    laws [m/s², rad/s²].
+    """
+
+    def __init__(self, speculative: SpeculativeContacts, laws: Array) -> None:
+        self._speculative, self._laws = speculative, laws
+        self._order = order(len(laws) // 3 - 1)
+
+    def ahead(self, part: DriftPart, calm: Callable[[Pair], bool]) -> PossibleMeetings:
+        """Return what may meet in a part of a drift, but for pairs that are `calm`."""
+        look, kick, way = self._speculative, part.kick, part.drift * part.moved
+        pairs = look.approaching.near(kick.contacts, kick.place, way)
+        return PossibleMeetings(
+            [pair for pair in pairs if not calm(pair)],
+            [one for one in look.corners(kick, part.moved) if not calm(one.pair)],
+            [one for one in look.ends.passing(kick, way, part.forces) if not calm(one.bodies)],
+        )
+
+    def first(
+        self, part: DriftPart, longest: float, ahead: PossibleMeetings
+    ) -> FirstMeeting | None:
+        """Return what meets first on the parabolas of a part within a time `longest` [s]."""
+        total, (pairs, corners, passing) = self._laws + part.pulls, ahead
+        begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
+
+        def at(t: float) -> Coordinates:
+            return Coordinates(place + t * (begun + total * (t / 2)))
+
+        def height(corner: AnyCorner, t: float) -> float:
+            return self._speculative.height(corner, at(t)) - TOUCH
+
+        def left(one: EndCrossing, t: float) -> float:
+            return one.left(at(t))
+
+        path = Path(place[self._order], begun[self._order], total[self._order])
+        near = self._speculative.approaching
+        hits = near.meet(path, longest, pairs) if pairs else []
+        hits = [hit for hit in hits if not carries_on(part, path, hit, near.outlines)]
+        falls = [root(partial(height, corner), longest) for corner in corners]
+        passes = [root(partial(left, one), longest) for one in passing]
+        first = min((*(hit.time for hit in hits), *falls, *passes), default=inf)
+        if first > longest * (1 - SOON):
+            return None
+        last = first + TOGETHER * longest
+        falling = [one.pair for one, time in zip(corners, falls, strict=True) if time < longest]
+        coming = sorted({hit.bodies for hit in hits})
+        hits = [hit for hit in hits if hit.time <= last]
+        down = [corner for corner, time in zip(corners, falls, strict=True) if time <= last]
+        gone = [one for one, time in zip(passing, passes, strict=True) if time <= last]
+        return FirstMeeting(first, hits, down, [] if hits or down else gone, coming, falling)
+
+    def beside(
+        self, ended: DriftPart, begun: Array, met: FirstMeeting, pairs: Sequence[Pair]
+    ) -> Contacts:
+        """Return the contacts with bodies beside the ends of sides that others pass.
+
+        These carry them on. What approaches faster than laws in the rest of the drift explain is
+        left to land.
+
+        `ended` is the part of the drift up to there, with the kick there, `begun`, (3 N,), are the
+        velocities there [m/s, rad/s], and `met` is what passes. `pairs` are the bodies to consider,
+        which did not touch before.
+        """
+        look, place = self._speculative, ended.kick.place
+        guests = {one.bodies[1] for one in met.passing}
+        some = [pair for pair in pairs if guests & {*pair}]
+        path = Path(*(rates[self._order] for rates in (place.values, begun, self._laws)))
+        left = ended.left - ended.drift
+        corners, hits = look.approaching.touching(path, BEYOND * left, some)
+        gives = left * np.abs(path.acceleration[:, :2]).max()
+        rests = [hit for hit in hits if hit.parting >= -gives]
+        return look.contacts(corners, place, ended.kick.joints.origin, rests)
+
+    def resting(self, ended: DriftPart, pairs: Sequence[Pair]) -> Contacts:
+        """Return the contacts of bodies that already overlap where a part of a drift ends.
+
+        They came together a little before what ends the part, and more slowly than forces in the
+        rest of the drift explain: nothing would stop them. Those that are faster land. `pairs` are
+        the bodies to consider, which did not touch before.
+        """
+        look, place, total = self._speculative, ended.end, self._laws + ended.pulls
+        path = Path(*(rates[self._order] for rates in (place.values, ended.moved, total)))
+        corners, hits = look.approaching.touching(path, 0.0, pairs)
+        gives = (ended.left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
+        rests = [hit for hit in hits if abs(hit.parting) <= gives]
+        return look.contacts(corners, place, ended.kick.joints.origin, rests)

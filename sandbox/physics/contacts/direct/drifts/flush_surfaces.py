@@ -1,0 +1,100 @@
+"""Bodies that come from one surface onto another that carries it on, and do not trip over it.
+
+Bodies rest a little deeper in the skins of surfaces than where they meet them. So a box that slides
+from one table onto the next, or a wheel that rolls there, seems to run into the edge of that.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import permutations
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.time_of_impact import Hit, Motion, Path
+from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.contacts.direct.prediction.separation_bound import spread
+from sandbox.physics.geometry.outline_distance import Outline, dot, gap
+
+LEVEL = 1e-6
+"""m, the highest step between surfaces that carry each other on, as of rounded decimals."""
+
+BESIDE = 1e-3
+"""m, the largest distance of a contact with the one surface from where the other is met."""
+
+THERE = 1e-4
+"""m, how far a surface is looked along to see whether it rises."""
+
+FACES = 0.5
+"""The least cosine between the normals of surfaces of which one is an arc or a curve."""
+
+ON = 1e-8
+"""m, the largest distance of a point of contact from the shape on which it is."""
+
+Shapes = Callable[[int], Sequence[Outline]]
+"""Returns the outlines of the shapes of a body."""
+
+
+class _Ground(NamedTuple):
+    """A point of the surface on which a body lies that meets another one.
+
+    The unit normal points towards the body on it; the point is in the plane [m].
+    """
+
+    normal: complex
+    point: complex
+
+
+def carries_on(part: DriftPart, path: Path, hit: Hit, shapes: Shapes) -> bool:
+    """Return whether a body only comes onto what carries on the surface on which it lies.
+
+    `part` and `path` are a part of a drift, and the motion in it; `hit` is what that meets.
+    `shapes` returns the outlines of bodies other than curves.
+    """
+    bodies, gaps = part.kick.layout.touching.bodies, part.kick.layout.gaps
+    bears = {frozenset(pair) for pair in bodies[:, part.forces[gaps] > 0].T.tolist()}
+    for guest, other in permutations(hit.bodies):
+        grounds = {next(iter(pair - {guest})) for pair in bears if guest in pair} - {other}
+        still = {body for body in grounds if _goes_with(body, other, path, hit, part.drift)}
+        if still and any(
+            _is_level(ground, other, path, hit, shapes)
+            for ground in _grounds(part, path.place_at(hit.time), guest, still)
+        ):
+            return True
+    return False
+
+
+def _goes_with(body: int, other: int, path: Path, hit: Hit, lasts: float) -> bool:
+    """Return whether two bodies move alike at a hit for a time [s]."""
+    here, there = (Motion(path, one, hit.time) for one in (body, other))
+    way = max(abs(there.speed(point) - here.speed(point)) for point in hit.points) * lasts
+    return way <= LEVEL
+
+
+def _grounds(part: DriftPart, place: Array, guest: int, bodies: set[int]) -> Iterator[_Ground]:
+    """Yield the points of the surfaces of some bodies on which another one lies at a place."""
+    there = part.kick.contacts_at(spread(place))
+    points = np.ascontiguousarray(there.points).view(complex)[..., 0] - part.kick.joints.origin
+    for row, pair in enumerate(there.bodies.tolist()):
+        if guest in pair and not bodies.isdisjoint(pair):
+            normal = complex(*there.direction[row]) * (1 if pair[1] == guest else -1)
+            for number in range(int(there.touches[row])):
+                depth = float(there.depths[row, number])
+                yield _Ground(normal, complex(points[row, number]) + normal * depth / 2)
+
+
+def _is_level(ground: _Ground, other: int, path: Path, hit: Hit, shapes: Shapes) -> bool:
+    """Return whether a body does not rise above a surface where it is met."""
+    n, there = ground.normal, Motion(path, other, hit.time)
+    faces = dot(n, hit.normal if hit.bodies[0] == other else -hit.normal) > FACES
+    cores = [(there.put(one.corners), one.radius) for one in shapes(other)]
+    for point in hit.points:
+        height = dot(n, point - ground.point)
+        met = [(core, half) for core, half in cores if gap(core, (point,), half).distance < ON]
+        ways = [corner + half * n - point for core, half in met for corner in core]
+        tops = [height + dot(n, way) / max(1.0, abs(way) / THERE) for way in ways]
+        if abs(point - ground.point) > BESIDE or not (tops or faces):
+            return False
+        if max(tops or [abs(height)]) > LEVEL:
+            return False
+    return True

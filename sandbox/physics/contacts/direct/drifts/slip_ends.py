@@ -1,0 +1,114 @@
+"""Friction that ends a slip within a drift, and when.
+
+Until a slip ends, friction is at its bound; from there on it holds if it can. With sliding or
+static friction for the whole kick, a body would stop up to half a step too early or too late.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.engine.space_arrays import Booleans, Integers
+from sandbox.physics.geometry.roots import secant
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+LEAST = 1e-8
+"""m, the least way of a slip in a drift whose end is located."""
+
+HALF = 0.5
+"""The share of its bound above which friction may have ended a slip in the kick."""
+
+FEW = 6
+"""The most friction of bodies that affect each other: in larger heaps slips end all the time, and
+chance decides where a body comes to rest."""
+
+SURE = 1e-9
+"""The share of a drift within which the time of an end must agree with that for which the kick is
+solved."""
+
+SOON = 1e-3
+"""The share of a drift at its start in which no end of a slip is located."""
+
+TINY = 1e-12
+"""The least share by which a slip slows down in a drift."""
+
+TRIES = 8
+"""The most lengths of a drift that are tried."""
+
+
+def slip_ends(part: DriftPart, laws: Array) -> Integers:
+    """Return which friction ends a slip within a part of a drift: indices among all friction.
+
+    `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²].
+    """
+    bears = _bears(part)
+    if not np.count_nonzero(bears):
+        return np.zeros(0, dtype=np.intp)
+    rows = np.flatnonzero(bears)
+    first, last = _rates(part, laws, rows)
+    ends = rows[(first * last < 0) & (np.abs(first) * part.drift > LEAST)]
+    few = [one.slips for one in part.kick.layout.islands if len(one.slips) <= FEW and len(ends)]
+    return ends[np.isin(ends, np.concatenate(few))] if few else ends[:0]
+
+
+def until_it_stops(
+    part: DriftPart,
+    ends: Integers,
+    laws: Array,
+    shortened: Callable[[DriftPart, float, DriftPart], DriftPart],
+) -> DriftPart | None:
+    """Return a part of a drift up to where the first of some slips ends; None if none does.
+
+    `part` comes with the kick before it, and `ends` is the friction that may end a slip; for this
+    and `laws` see `slip_ends`. `shortened` returns the part with a shorter drift [s], with a
+    similar part to begin with.
+    """
+    shorter, time, known = part, part.drift, (0.0, 0.0)
+    for _ in range(TRIES):
+        slips = ends[shorter.active.slip[ends] != 0]
+        if len(slips):
+            again = _ends(shorter, laws, slips)
+            if abs(again - time) <= SURE * part.drift:
+                return None if shorter is part else shorter
+            tried = time, time - again
+            time = secant(known, tried, again, part.drift) if known[0] else again
+            known = tried
+        elif shorter is part:  # it sticks all the time: does it slip at first?
+            time = SOON * part.drift
+        else:
+            break
+        if not SOON * part.drift <= time < part.drift:
+            break
+        try:
+            shorter = shortened(part, time, shorter)
+        except (JointFailure, NoForces):
+            break
+    return None
+
+
+def _ends(part: DriftPart, laws: Array, slips: Integers) -> float:
+    """Return when the first of some slips ends, on the parabolas of a part that may end before."""
+    first, last = _rates(part, laws, slips)
+    slows = (first - last) / first
+    return part.drift / max(float(slows.max()), TINY)
+
+
+def _bears(part: DriftPart) -> Booleans:
+    """Return which friction slips, or may have ended a slip in the kick: (f,)."""
+    slips = part.active.slip != 0
+    if not len(slips):
+        return slips
+    layout = part.kick.layout
+    friction, forces = layout.problem.friction, part.forces
+    bound = friction.slips * (friction.there * forces[friction.contact]).sum(axis=0)
+    return (bound > 0) & (slips | (np.abs(forces[layout.slips]) > HALF * bound))
+
+
+def _rates(part: DriftPart, laws: Array, rows: Integers) -> Array:
+    """Return the rates of slips at the beginning and at the end of a part: (2, s) [m/s]."""
+    kick, half = part.kick, (laws + part.pulls) * (part.drift / 2)
+    jacobian = kick.here.jacobian[kick.layout.slips][rows]
+    rates: Array = np.array((part.moved - half, part.moved + half)) @ jacobian.T + kick.runs[rows]
+    return rates

@@ -1,0 +1,66 @@
+"""Crowds: bodies of which so many land in one drift that their landings are not located.
+
+When a car drives into a pile, each landing moves all bodies in contact, which causes further
+landings. To solve the whole pile again for each of them would take longer than many short steps,
+and their order is a matter of rounding. So the kick before the drift is solved once more, with a
+row for everything that would land: gaps may close within the drift, but no further (Stewart and
+Trinkle 1996; Anitescu and Potra 1997). That is of first order in the time step. Such landings do
+not rebound, so bodies with a large restitution are never treated in this way.
+"""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from sandbox.physics.contacts.direct.complementarity.islands import islands
+from sandbox.physics.contacts.direct.drifts.drift_parts import moving
+from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
+from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
+    LOOKS,
+    SpeculativeContacts,
+)
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+MANY = 3
+"""The most landings of one island in a drift that do not make a crowd."""
+
+
+def crowd(kick: Kick, landings: Sequence[Pair]) -> Booleans:
+    """Return which bodies are in a crowd, (n,), from the pairs that land in a drift."""
+    moves = moving(kick)
+    crowded = np.zeros(len(moves), dtype=bool)
+    if len(landings) <= MANY:
+        return crowded
+    groups = [np.flatnonzero(kick.acts[rows].any(axis=0)) for rows, _, _ in kick.layout.islands]
+    whole = [*groups, *(np.array(pair) for pair in landings)]
+    for numbers in islands(whole, moves):
+        if np.count_nonzero(numbers >= len(groups)) > MANY:
+            for number in numbers.tolist():
+                crowded[whole[number]] = True
+    return crowded & moves
+
+
+def stopped(
+    taken: KickResult,
+    crowded: Booleans,
+    look: SpeculativeContacts,
+    build: KickBuilder,
+    again: Callable[[Kick], KickResult],
+) -> KickResult:
+    """Return a kick after which what would land in a crowd comes to touch, and goes no further.
+
+    `again` takes the kick with more rows. What it finds no impulses for is left to land.
+    """
+    for _ in range(LOOKS):
+        ahead = look.ahead(taken.kick, taken.moved, crowded)
+        if not len(ahead.bodies):
+            break
+        try:
+            taken = again(build.with_ahead(taken.kick, ahead))
+        except (JointFailure, NoForces):
+            break
+    return taken

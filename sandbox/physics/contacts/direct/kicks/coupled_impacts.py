@@ -1,0 +1,233 @@
+"""The impacts of a step, solved together with the joints that take part."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.solving.newton import solve_rows
+from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
+from sandbox.physics.contacts.impacts.pile_impacts import Pile
+from sandbox.physics.engine.space_arrays import Booleans, Integers
+from sandbox.physics.joints.exact.constraint_interface import QUADRATIC, angles, order, planes
+from sandbox.physics.joints.exact.shake import TAUT
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+ROUNDING = 1e-9
+"""The share of the speeds of two bodies, and of the velocity change in a step, below which their
+approach is rounding."""
+
+PRESSED = 1e-12
+"""The same as a share of the velocity changes by all impulses on a body in a step, added up without
+their signs."""
+
+EXACT = 1e-12
+"""The share of the work of impacts that counts as rounding."""
+
+HALVINGS = 50
+"""The bisections in the search for the largest rebound that adds no energy."""
+
+
+def struck(
+    kick: Kick, came: Array, acts: Array, change: Array, pushed: Callable[[], Array]
+) -> Booleans:
+    """Return which gaps close faster than forces within a step explain: (k,).
+
+    `came`, (3 N,), are the velocities at the step; `acts` and `change`, (3 N,), are the velocity
+    changes by forces in a step, and in the last step [m/s, rad/s]. `pushed` returns the impulses of
+    a step, (r,): on a light body between heavy ones they cancel, but their rounding does not.
+    """
+    jacobian = kick.here.jacobian[kick.layout.gaps]
+    rates = np.array((came, acts, change)).dot(jacobian.T)
+    closing, (acting, changing) = rates[0], np.abs(rates[1:])
+    if kick.closes:
+        closing = np.where(kick.ahead, 0.0, closing)
+    gives = np.maximum(acting, changing)
+    far: Booleans = closing < -gives
+    if not np.count_nonzero(far):  # bodies at rest need no closer look
+        return far
+    swift = np.abs(came) + np.abs(acts)
+    far = closing < -(gives + _rounding(kick, swift))
+    if not np.count_nonzero(far):
+        return far
+    presses = PRESSED / ROUNDING * (np.abs(pushed()) @ np.abs(kick.response))
+    allowed = gives + _rounding(kick, swift + presses)
+    return np.asarray(closing < -allowed)
+
+
+def _rounding(kick: Kick, swift: Array) -> Array:
+    """Return the rounding errors of the gaps' rates, (k,), from the sizes of velocities, (3 N,)."""
+    around = np.repeat(np.abs(planes(swift)), 2)  # rounding has no direction
+    speeds = np.abs(kick.here.jacobian[kick.layout.gaps]) @ np.append(around, angles(swift))
+    return np.asarray(ROUNDING * speeds + kick.blur)
+
+
+def come(
+    kick: Kick, motion: Array, strikes: Booleans, held: Active | None = None
+) -> tuple[Array, Array]:
+    """Return the velocities at the step before its impacts, and the impulses up to then.
+
+    `motion`, (3 N,), are the velocities without impulses [m/s, rad/s], and `strikes`, (k,), tells
+    which gaps close. `held` are the rows that held in the kick until there, if they are known; else
+    see `impulses`.
+    """
+    out = np.zeros(len(kick.response), dtype=bool)
+    out[kick.layout.joints] = kick.joints.added
+    out[kick.layout.gaps] = strikes | kick.ahead
+    impulse = impulses(kick, motion, np.zeros(len(kick.response)), out, held)
+    return motion + impulse @ kick.response, impulse
+
+
+def bounce(
+    kick: Kick, came: Array, strikes: Booleans, held: Active | None = None
+) -> tuple[Array, Array, list[Pair]]:
+    """Return the velocities after the impacts of a step, their impulses, and who collided.
+
+    Newton's law of restitution ignores friction, and can add energy with it (Kane and Levinson
+    1985). Nor do wedged bodies always have impulses that separate them. In these cases the largest
+    share of the rebound is taken that adds no energy and has impulses.
+
+    `came`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `held` see
+    `come`. Raises `JointFailure` or `NoForces` if there are no impulses even without a rebound.
+    """
+    if kick.layout.in_sequence:
+        impulse, met = _in_sequence(kick, came)
+    else:
+        impulse, met = _together(kick, came, strikes, held), [np.flatnonzero(strikes)]
+    pairs = [pair for gaps in met for pair in kick.layout.touching.pairs(gaps)]
+    return came + impulse @ kick.response, impulse, pairs
+
+
+def _together(kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> Array:
+    """Return the impulses of impacts that are solved all at once, (r,); see `bounce`."""
+    rebound = _Rebound(kick, came, strikes, held)
+    impulse = rebound.taken(1.0, EXACT)
+    if impulse is None:
+        impulse = rebound.impulses(_largest(rebound) if rebound.leaves.any() else 0.0)
+    return impulse
+
+
+def _in_sequence(kick: Kick, came: Array) -> tuple[Array, list[Integers]]:
+    """Return the impulses of impacts that come one after the other, (r,), and their gaps in turn.
+
+    Bilateral joints pass them on; ropes react to the velocities after them. See `Pile`.
+    """
+    layout, jacobian = kick.layout, kick.here.jacobian
+    impulse, takes = np.zeros(len(jacobian)), np.zeros(len(jacobian), dtype=bool)
+    for rows, _, _ in layout.islands:
+        takes[rows] = True
+    near = np.flatnonzero(takes[layout.gaps] & ~kick.ahead)
+    across = jacobian[near + layout.gaps.start]
+    response = _through_joints(kick, kick.response[near + layout.gaps.start])
+    partner = layout.touching.partner[near]
+    pile = Pile(
+        response @ across.T,
+        across @ came,
+        _rounding(kick, np.abs(came))[near],
+        layout.restitution[near],
+        np.where(partner < 0, -1, np.searchsorted(near, partner)),
+    )
+    impulse[near + layout.gaps.start] = pile.settle(layout.touching.bodies.T[near])
+    takes[layout.joints], takes[layout.gaps] = False, True
+    came = came + impulse @ kick.response
+    impulse += impulses(kick, came, np.zeros_like(impulse), takes)
+    return impulse, [near[gaps] for gaps in pile.met]
+
+
+def _through_joints(kick: Kick, response: Array) -> Array:
+    """Return velocity changes, (k, 3 N), after bilateral joints have passed the impulses on."""
+    free = kick.layout.problem.free
+    jacobian, held = kick.here.jacobian[free], kick.response[free]
+    return response - np.linalg.solve(jacobian @ held.T, jacobian @ response.T).T @ held
+
+
+def _largest(rebound: "_Rebound") -> float:
+    """Return the largest share, below 1, of a rebound that can be taken."""
+    low, high = 0.0, 1.0
+    for _ in range(HALVINGS):
+        share = (low + high) / 2
+        low, high = (low, share) if rebound.taken(share, 0.0) is None else (share, high)
+    return low
+
+
+class _Rebound:
+    """Shares of the rebound after an impact; for the parameters see `bounce`.
+
+    `leaves`, (r,), is minus the rate of each row after the whole rebound [m/s, rad/s].
+    """
+
+    def __init__(self, kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> None:
+        self._kick, self._came, self._guess = kick, came, held
+        layout, self._rates = kick.layout, kick.here.jacobian @ came
+        self._runs = self._rates.copy()
+        self._runs[layout.slips] += kick.runs
+        self.leaves = np.zeros(len(kick.response))
+        closing = np.minimum(self._rates[layout.gaps], 0.0)
+        self.leaves[layout.gaps] = layout.restitution * closing * strikes
+        self._ahead = np.zeros(len(kick.response), dtype=bool)
+        self._ahead[layout.gaps] = kick.ahead
+        if held is not None:
+            on = held.on.copy()
+            on[layout.gaps] |= strikes
+            self._guess = held._replace(on=on)
+
+    def impulses(self, share: float) -> Array:
+        """Return the impulses of a share of it: (r,)."""
+        leaves = share * self.leaves
+        return impulses(self._kick, self._came, leaves, self._ahead, self._guess)
+
+    def taken(self, share: float, rounding: float) -> Array | None:
+        """Return the impulses of a share of it; None if there are none, or if they add energy.
+
+        `rounding` is the share of their work that may be rounding.
+        """
+        try:
+            impulse = self.impulses(share)
+        except (JointFailure, NoForces):
+            return None
+        kick, touch = self._kick, self._kick.layout.touch
+        after = self._runs + kick.here.jacobian @ (impulse @ kick.response)
+        work = float(impulse[touch] @ (self._runs + after)[touch]) / 2
+        return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(self._rates)) else None
+
+
+def recorded(kick: Kick, left: Array, pushes: Array) -> ImpactOutcome:
+    """Return the record of impacts, from the velocities after them, (3 N,), and impulses, (r,)."""
+    places = order(kick.response.shape[1] // 3 - 1)
+    jump = (pushes @ kick.response)[places]
+    reached = np.zeros(len(jump), dtype=bool)
+    for rows, _, _ in kick.layout.islands:
+        if pushes[rows].any():
+            reached |= kick.acts[rows].any(axis=0)
+    jump = np.where(reached[:, None], jump, 0.0)
+    return ImpactOutcome(reached, jump, left[places], np.zeros(len(jump)))
+
+
+def impulses(
+    kick: Kick, motion: Array, leaves: Array, out: Booleans, held: Active | None = None
+) -> Array:
+    """Return the impulses with which velocities satisfy all rows that take part: (r,).
+
+    `motion`, (3 N,), are the velocities without them; `leaves`, (r,), is minus the rate of each row
+    with them [m/s, rad/s]. `out`, (r,), tells which rows take no part. `held` is a guess which rows
+    hold; None for those that meet, and no friction.
+    """
+    layout, joints = kick.layout, kick.layout.joints
+    rate = kick.here.jacobian @ motion + leaves
+    rate[joints] += kick.joint_rates()
+    rate[layout.slips] += kick.runs
+    slack = np.zeros(len(rate), dtype=bool)
+    slack[joints] = kick.joints.pulls_only & (
+        kick.here.total[joints] + kick.before > TAUT + QUADRATIC
+    )
+    asked = layout.problem
+    problem = asked._replace(free=asked.free & ~out, pushes=asked.pushes & ~out & ~slack)
+    on = problem.free | (problem.pushes & (rate < 0 if held is None else held.on))
+    slip = np.zeros(len(asked.friction.row), dtype=np.intp)
+    if held is not None:
+        on[layout.slips], slip = held.on[layout.slips], held.slip
+    guess = Active(on, slip)
+    return solve_rows(kick, layout.asking(problem), kick.here.jacobian, rate, guess)[0]

@@ -1,0 +1,124 @@
+"""Which bodies certainly stay apart through a drift, so that no time of impact need be computed.
+
+A convex part is clear of another while its corners are in front of one of the other's sides.
+Relative to that side, the acceleration of a corner is at most c. So within a time T its height
+falls no further than c T² / 8 below the lower of the heights at both ends.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.time_of_impact import Path
+from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexPart, ConvexParts, Pair
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
+
+CLEAR = 1e-7
+"""m, the least distance of bodies that certainly are apart: contacts overlap by less."""
+
+
+class _Motion(NamedTuple):
+    """The bounds of a body's motion in a drift."""
+
+    velocity: complex  # m/s, at its start
+    acceleration: complex  # m/s²
+    spin: float  # rad/s, the largest angular speed
+    twist: float  # rad/s², the size of the angular acceleration
+    reach: float  # m, the largest distance of corners from the centre of mass
+
+    @property
+    def bend(self) -> float:
+        """A bound of the acceleration of its corners by rotation [m/s²]."""
+        return self.reach * (self.spin * self.spin + self.twist)
+
+
+class Separation:
+    """Tells which bodies stay apart in a drift.
+
+    `shapes` are the parts of the bodies, `path` is their motion, and `lasts` is the length of the
+    drift [s].
+    """
+
+    def __init__(self, shapes: ConvexParts, path: Path, lasts: float) -> None:
+        self._shapes, self._path, self._lasts = shapes, path, lasts
+        self._here, self._there = (shapes.at(spread(path.place_at(t))) for t in (0.0, lasts))
+        self._known: dict[int, _Motion] = {}
+
+    def unsure(self, pair: Pair) -> list[Pair]:
+        """Return the pairs of parts of two bodies, by index, that may meet."""
+        one, other = map(self._motion, pair)
+        resting = self._sag(abs(other.acceleration - one.acceleration) + one.bend + other.bend)
+        falls = self._falls(pair, one, other), self._falls(pair, other, one), resting
+        here, there = self._here, self._there
+        return [
+            parts
+            for parts in self._shapes.pairs(pair)
+            if not _stay_apart(here.both(pair, parts), there.both(pair, parts), falls)
+        ]
+
+    def _motion(self, body: int) -> _Motion:
+        if (known := self._known.get(body)) is None:
+            vx, vy, spin = self._path.velocity[body].tolist()
+            ax, ay, twist = self._path.acceleration[body].tolist()
+            fastest, reach = abs(spin) + abs(twist) * self._lasts, float(self._shapes.reach[body])
+            known = _Motion(complex(vx, vy), complex(ax, ay), fastest, abs(twist), reach)
+            self._known[body] = known
+        return known
+
+    def _falls(self, pair: Pair, side: _Motion, corner: _Motion) -> float:
+        """Return how far the height of a corner over a side may fall below that at both ends [m].
+
+        For its acceleration relative to the side see `_turning` in `time_of_impact`.
+        """
+        plane, lasts = self._here.place.plane, self._lasts
+        acceleration = abs(corner.acceleration - side.acceleration) + corner.bend
+        goes = abs(corner.velocity - side.velocity) + corner.reach * corner.spin
+        fastest = goes + acceleration * lasts
+        farthest = float(abs(plane[pair[1]] - plane[pair[0]])) + corner.reach + fastest * lasts
+        turns = 2 * side.spin * fastest + (side.twist + side.spin * side.spin) * farthest
+        return self._sag(acceleration + turns)
+
+    def _sag(self, curve: float) -> float:
+        """Return the largest deviation of a path from its chord, given its acceleration [m]."""
+        return curve * self._lasts * self._lasts / 8 + CLEAR
+
+
+def spread(place: Array) -> Coordinates:
+    """Return places of bodies, (n, 3), as coordinates, with the plane."""
+    values = np.zeros((len(place) + 1, 3))
+    values[:-1] = place
+    return Coordinates(np.concatenate((values[:, :2].ravel(), values[:, 2])))
+
+
+Both = tuple[ConvexPart, ConvexPart]
+"""A part of each of two bodies."""
+
+
+def _stay_apart(here: Both, there: Both, falls: tuple[float, float, float]) -> bool:
+    """Return whether two parts certainly stay apart between two placements.
+
+    `falls` bounds how far heights over sides of the first and of the second part, and distances
+    along a fixed direction, may fall in between [m].
+    """
+    resting = falls[2]
+    way = here[1].middle - here[0].middle
+    apart, around = abs(way), here[0].radius + here[1].radius + resting
+    if apart > around:
+        later = there[1].middle - there[0].middle
+        if (later * way.conjugate()).real > around * apart:
+            return True
+    for own in (0, 1):
+        if here[own].normals:
+            high, side = here[own].shows(here[1 - own])
+            if high > falls[own] and there[own].lowest(there[1 - own], side) > falls[own]:
+                return True
+    way = min([q - p for p in here[0].corners for q in here[1].corners], key=abs)
+    return bool(way) and all(_apart(both, way / abs(way)) > resting for both in (here, there))
+
+
+def _apart(both: Both, normal: complex) -> float:
+    """Return the separation of two parts along a normal, from the first to the second [m]."""
+    along = normal.conjugate()
+    (top, bottom) = ([(corner * along).real for corner in part.corners] for part in both)
+    return min(bottom) - max(top) - both[0].rounding - both[1].rounding

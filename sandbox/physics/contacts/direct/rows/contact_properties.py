@@ -1,0 +1,116 @@
+"""The contact properties of a level's bodies, as the direct solver needs them."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+import pymunk
+
+from sandbox.model.acting_events import breakable
+from sandbox.model.body import Body
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
+from sandbox.physics.contacts.coefficients.static_friction import sticking
+from sandbox.physics.contacts.direct.rows.outlines import Figure, Figures
+from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
+from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN, INSET
+from sandbox.physics.engine.bodies import center_of, local_points
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.geometry.curve_contacts import course_of
+from sandbox.physics.geometry.outline_distance import surfaces
+from sandbox.physics.state.anchor import Plane
+
+SLOP = 1e-7
+"""m, the default overlap that is left alone: it is larger than `PROUD`, so that bodies stay in
+contact."""
+
+CORRECTION = 0.5
+"""The default share of an overlap that a step removes. It may be large, since the velocities stay
+unchanged, but bodies that overlap deeply at the start should not jump apart."""
+
+NONE: Plane = np.zeros(0, dtype=complex)
+
+
+def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> Surfaces:
+    """Return the contact properties of a level's bodies for the given parameters."""
+    names = list(level.bodies)
+    friction = pair_coefficients(level, values, "friction")
+    static = friction.copy()
+    for (a, b), pair in sticking(level, values).items():
+        i, j = names.index(a), names.index(b)
+        static[i, j] = static[j, i] = pair.static
+    contact = level.effects.contact
+    assert contact
+    restitution = pair_coefficients(level, values, "restitution")
+    return Surfaces(
+        Figures([_figure(body, values) for body in level.bodies.values()]),
+        friction,
+        static,
+        restitution,
+        surfaces(bodies),
+        CORRECTION if contact.correction is None else contact.correction(values),
+        SLOP if contact.slop is None else contact.slop(values),
+        _left_to_it(level),
+        in_sequence=_in_sequence(level),
+    )
+
+
+def _in_sequence(level: Level) -> bool:
+    """Return whether impacts at the same time come one after the other.
+
+    Those that a level locates do, too, so that a row passes a shot on, unless friction needs them
+    all at once.
+    """
+    effects = level.effects
+    located = effects.contact is not None and effects.contact.located is not None
+    alone = located and effects.restitution is not None and effects.friction is None
+    return effects.in_sequence or alone
+
+
+def _left_to_it(level: Level) -> Booleans:
+    """Return which pairs, (n, n), nothing else waits for.
+
+    What waits is what sticks, and joints that break: for a whole blow at one step, not its parts.
+    """
+    sticking, names = level.effects.sticking, list(level.bodies)
+    left = np.full((len(names), len(names)), not any(breakable(level.joints)))
+    for pair in sticking.pairs if sticking else ():
+        a, b = (names.index(name) for name in pair.bodies)
+        left[a, b] = left[b, a] = False
+    return left
+
+
+def _figure(spec: Body, values: Values) -> Figure:
+    match spec.shape:
+        case Disc(radius=radius):
+            return Figure(radius(values), NONE, 0.0)
+        case Hoop(radius=radius):
+            return Figure(radius(values), NONE, 0.0, inner=radius(values))
+        case Arc(radius=radius, thickness=thickness) as arc:
+            middle, half = radius(values), thickness(values) / 2
+            return Figure(
+                middle + half,
+                NONE,
+                half,
+                inner=middle - half,
+                center=center_of(arc, spec, values),
+                ends=True,
+            )
+        case Curve(thickness=thickness) as curve:
+            return Figure(0.0, NONE, thickness(values) / 2, course=course_of(curve, values))
+        case Segment(thickness=thickness) | Polyline(thickness=thickness):
+            points = [complex(*point) for point in local_points(spec, values)]
+            sides = np.array([b - a for a, b in pairwise(points)])
+            return Figure(0.0, _normals(np.concatenate((sides, -sides))), thickness(values) / 2)
+    corners = np.array([complex(*point) for point in local_points(spec, values)])
+    sides = np.roll(corners, -1) - corners
+    around = float((corners.conj() * np.roll(corners, -1)).imag.sum())
+    rounding = DIRECT_SKIN if isinstance(spec.shape, Polygon) else INSET + DIRECT_SKIN
+    return Figure(0.0, _normals(sides * np.sign(around)), rounding)
+
+
+def _normals(sides: Plane) -> Plane:
+    """Return the unit normals to the right of sides: outward for a counter-clockwise outline."""
+    return np.asarray(-1j * sides / np.abs(sides))

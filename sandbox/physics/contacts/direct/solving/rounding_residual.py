@@ -1,0 +1,26 @@
+"""The rounding error of a kick whose contacts are solved for the positions after the drift."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.joints.exact.constraint_interface import PLACES
+
+FOOT = 16
+"""How much worse than a place the foot of a body on a curve is known: it is found from several.
+What is left of it in a kick differs between processors, 1e-13 to 1e-12 m/s at 500 Hz. In a pile
+each layer adds its own: 8 times as much is left at the top of 200 boxes, at the most."""
+
+
+def left_of_places(places: Array, bodies: Sequence[pymunk.Body], drift: float) -> float:
+    """Return what rounding of places, (n, 3), leaves in velocities after a drift in s [m/s]."""
+    foot = FOOT * PLACES * float(np.abs(places).max(initial=0.0))
+    return foot * len(bodies) ** 0.5 / drift
+
+
+def spread(bodies: Sequence[pymunk.Body]) -> float:
+    """Return the largest mass over the least: rounding in the one moves the other that much."""
+    masses = [body.mass for body in bodies if body.body_type == pymunk.Body.DYNAMIC]
+    return max(masses) / min(masses)

@@ -1,0 +1,56 @@
+"""The kicks within a drift that was divided into parts, for the ledger."""
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.impacts.contact_work import KickRecord
+from sandbox.physics.engine.space_arrays import Contacts
+from sandbox.physics.state.motion import Instant, Motion
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
+
+
+class InnerKick(NamedTuple):
+    """A kick within a drift; n bodies, m equations of joints."""
+
+    kick: KickRecord
+    """The kick, for the books."""
+    change: Array
+    """(n, 3), the change of the velocities [m/s, rad/s]."""
+    impulses: Array
+    """(m,), the impulses of the joints; positive where they pull."""
+    jacobian: Array
+    """(m, n, 3), the derivatives of the joints' equations by positions and angles."""
+    contacts: Contacts
+    """The contacts, with their impulses."""
+
+
+def kicks_within(
+    divided: "DividedDrift", begin: Instant, seen: Motion, inertia: Callable[[float], Array]
+) -> Iterator[InnerKick]:
+    """Yield the kicks between the parts of a drift; there is at least one.
+
+    The last one takes back the excess of the next whole kick.
+
+    In a divided drift, laws act as they did in the kick before it, and only on the bodies that move
+    in parts. The kick after it is booked as a whole one, although it begins in the middle of a
+    part; the excess is taken back before it.
+
+    `begin` is the motion in the middle of the first part, and `seen` the motion that the laws saw
+    in the kick before it. `inertia` returns masses, masses and moments at a time [s]:
+    (n, 3) [kg, kg m²].
+    """
+    t, begun = float(begin.t), np.column_stack((begin.velocity, begin.angular_velocity))
+
+    def kick(t: float, lasts: float, place: Array, ended: Array) -> KickRecord:
+        kicked = np.where(divided.reached[:, None], inertia(t), 0.0)
+        return KickRecord(t, lasts, seen, place[:, :2], (begun + ended) / 2, kicked)
+
+    for place, jacobian, (lasts, ended, pulls, contacts) in divided.between:
+        now = kick(t + lasts / 2, lasts, place, ended)
+        yield InnerKick(now, ended - begun, pulls, jacobian, contacts)
+        t, begun = t + lasts, ended

@@ -1,0 +1,63 @@
+"""Selects the springs that pymunk applies itself, and checks the rate for all forces."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import pymunk
+
+from sandbox.model.level import Stepping
+from sandbox.physics.forces.law import Law, VelocityRotation
+from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.forces.variable_mass import MassFlows, Share
+from sandbox.physics.scene.build_context import BuildContext
+from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
+from sandbox.physics.state.motion import Reading
+
+
+def check_rate(
+    made: BuildContext, forces: Sequence[Law], turns: Sequence[VelocityRotation]
+) -> None:
+    """Refuse a rate that is too low for springs, drags, or forces that turn velocities."""
+    joints, inverse_mass, stepping = made.joints, made.inverse_mass, made.stepping
+    drags = [law for law in forces if law.effect.sees_velocity and not stepping.is_stock]
+    if not (joints.springs or drags or turns):
+        return
+    start = Reading(np.zeros(()), made.batch.state())
+    reach = _reach(stepping, held=bool(joints.together))
+    check_springs(joints.springs, inverse_mass, start.angle, stepping.rate, reach)
+    names = list(made.bodies)
+    for turn in turns:
+        check_turn(turn, names, start, stepping.rate)
+    for law in drags:
+        check_drag(law, names, start, joints, inverse_mass, stepping.rate)
+
+
+def _reach(stepping: Stepping, *, held: bool) -> float:
+    """Return the largest ω h at which the scheme is stable; 2 for leapfrog."""
+    if stepping.scheme != "fourth-order":
+        return 2.0
+    from sandbox.physics.scene.composition_schemes import fourth_order
+
+    return fourth_order(held=held).reach
+
+
+def hooked_springs(made: BuildContext, share: Share) -> Iterator[SpringForce]:
+    """Add plain springs to pymunk's space, and yield all others.
+
+    pymunk applies none in a level with contacts, where forces other than those of contacts must be
+    known; none where masses change, as these are known only in the hook; and none in schemes other
+    than leapfrog.
+    """
+    level, bodies = made.level, list(made.bodies.values())
+    space, flows = bodies[0].space, isinstance(share, MassFlows)
+    simple = made.stepping.scheme == "leapfrog" and not (level.effects.contact or flows)
+    moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
+    for spring in made.joints.springs.values():
+        held = any(end.body is not None and moves[end.body] for end in spring.ends)
+        plain = not (spring.damping or spring.pushes_only or spring.law or spring.switch)
+        if simple and space and held and plain:
+            from sandbox.physics.joints.pymunk_joints import pull_by_pymunk
+
+            pull_by_pymunk(spring, bodies, space)
+        else:
+            yield spring
