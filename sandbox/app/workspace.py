@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from threading import Thread
 
 import pygame
 
@@ -198,6 +199,10 @@ class Workspace:
             self.panels.show(opening(session.original, self.panels.page))
         self._entitle(session.original)
         self.lay_out()
+        if session.world.scene.direct:
+            from sandbox.physics.contacts.direct.complementarity.linear_systems import preload
+
+            Thread(target=preload, daemon=True).start()
         give_back_gaps()  # left by the previous level
 
     def _begun(self, path: Path, rate: float | None) -> Session:

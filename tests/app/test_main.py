@@ -47,3 +47,26 @@ def test_the_rest_of_the_sandbox_does_not_need_pygame() -> None:
     )
 
     assert python("-c", code).returncode == 0
+
+
+PRELOADED = """
+import sys, threading, time
+from sandbox.app.window import Window
+
+window = Window((900, 600))
+window.open_level({level!r})
+end = time.monotonic() + 10
+while "scipy.optimize" not in sys.modules and time.monotonic() < end:
+    if not {waits}:
+        break
+    time.sleep(0.05)
+print("scipy.optimize" in sys.modules)
+"""
+
+
+@pytest.mark.parametrize(("level", "direct"), [("machines/waiters-tray", True), ("newton/atwood", False)])
+def test_what_contacts_may_need_is_imported_before_they_need_it(level: str, direct: bool) -> None:
+    """It took a quarter of a second in the middle of a run; scenes without contacts never do."""
+    code = PRELOADED.format(level=level, waits=direct)
+
+    assert python("-c", code).stdout.split()[-1] == str(direct)

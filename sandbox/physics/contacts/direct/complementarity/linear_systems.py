@@ -1,6 +1,7 @@
 """Linear systems with redundant rows."""
 
 from functools import cache
+from importlib import import_module
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +23,12 @@ elimination is as accurate as singular values."""
 
 FEASIBLE = 1e-12
 """The residual below which limits contradict each other: rounding."""
+
+
+def preload() -> None:
+    """Import what redundant rows need; within a step that would take up to half a second."""
+    for library in ("scipy.linalg.lapack", "scipy.linalg.blas", "scipy.optimize"):
+        import_module(library)
 
 
 def most(values: Array) -> float:
