@@ -1,13 +1,13 @@
 """The command line: `python -m sandbox`, and the console script `mechanics-sandbox`."""
 
-from sandbox import environment_variables, interrupts, streams
+from sandbox import environment_defaults, interrupts, streams
 
 
 def main() -> None:
     """Run the command line, and leave the process with its exit status."""
     interrupts.install()
     streams.install()
-    environment_variables.install()
+    environment_defaults.install()
     with streams.standard():
         from sandbox.cli.main import main as run  # that takes a while, and may be interrupted, too
 

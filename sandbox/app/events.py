@@ -9,7 +9,7 @@ from sandbox.app.home.draft_strip import Unsaved
 from sandbox.app.keymap import command
 from sandbox.app.keys import WHILE_TYPING
 from sandbox.app.pages.build import PAGE as BUILD_PAGE
-from sandbox.app.runs.run_recovery import LeftRun
+from sandbox.app.runs.crash_recovery import LeftRun
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Change
 from sandbox.app.words.language import say

@@ -20,8 +20,8 @@ from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import stage_messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.runs import runfile
+from sandbox.app.runs.crash_recovery import LeftRun, RunRecovery
 from sandbox.app.runs.remedy_search import RemedySearch
-from sandbox.app.runs.run_recovery import LeftRun, RunRecovery
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.undoing import UndoHistory
 from sandbox.app.stage.stage import Stage

@@ -19,7 +19,7 @@ from sandbox.app.files import preferences, progress, recent
 from sandbox.app.files.level_entries import Entry
 from sandbox.app.home import picture_cache
 from sandbox.app.panels import level_list
-from sandbox.app.runs import run_recovery
+from sandbox.app.runs import crash_recovery
 from sandbox.app.window import Window
 from sandbox.app.words import language
 from sandbox.editing import recovery
@@ -56,7 +56,7 @@ def _nothing_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Read and write no stars, drafts and runs but those of the test itself."""
     monkeypatch.setattr(progress, "file", lambda: tmp_path / "stars" / "stars.json")
     monkeypatch.setattr(recovery, "folder", lambda: tmp_path / "drafts")
-    monkeypatch.setattr(run_recovery, "folder", lambda: tmp_path / "runs")
+    monkeypatch.setattr(crash_recovery, "folder", lambda: tmp_path / "runs")
 
 
 @pytest.fixture(autouse=True)

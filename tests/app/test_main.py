@@ -64,7 +64,9 @@ print("scipy.optimize" in sys.modules)
 """
 
 
-@pytest.mark.parametrize(("level", "direct"), [("machines/waiters-tray", True), ("newton/atwood", False)])
+@pytest.mark.parametrize(
+    ("level", "direct"), [("machines/waiters-tray", True), ("newton/atwood", False)]
+)
 def test_what_contacts_may_need_is_imported_before_they_need_it(level: str, direct: bool) -> None:
     """It took a quarter of a second in the middle of a run; scenes without contacts never do."""
     code = PRELOADED.format(level=level, waits=direct)

@@ -14,7 +14,7 @@ from sandbox.editing.edits import (
     checks,
     copying,
     effects,
-    fields,
+    field_values,
     joints,
     mirroring,
     pendulum_angle,
@@ -142,12 +142,12 @@ def declared(text: str, hand: Hand) -> str:
 
 def typed(text: str, hand: Hand) -> str:
     words = ("1", "-2.50", "2*pi", "x", "", "1e99", "3m", "[1, 2]", "true")
-    return fields.set_field(text, hand.field(), hand.word(words))
+    return field_values.set_field(text, hand.field(), hand.word(words))
 
 
 def made_a_parameter(text: str, hand: Hand) -> str:
     path = hand.field()
-    return fields.make_parameter(text, path, fields.parameter_name(hand.level, path))
+    return field_values.make_parameter(text, path, field_values.parameter_name(hand.level, path))
 
 
 def renamed(text: str, hand: Hand) -> str:

@@ -19,7 +19,7 @@ import typer
 
 from sandbox.app.files import preferences, progress, recent
 from sandbox.app.home.draft_strip import summary
-from sandbox.app.runs import run_recovery, runfile
+from sandbox.app.runs import crash_recovery, runfile
 from sandbox.app.runs.session import Session
 from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
@@ -59,7 +59,7 @@ def _run(path: Path) -> None:
 
 
 def _left(_: Path) -> None:
-    for left in run_recovery.left_runs(3):
+    for left in crash_recovery.left_runs(3):
         summary(left)
 
 
@@ -83,7 +83,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
     chosen = preferences.Preferences(size=100, language="de").model_dump_json()
     return {
         "run": Kind(run, folder / f"x{runfile.SUFFIX}", _run),
-        "left run": Kind(run, run_recovery.folder() / f"{NAME}{runfile.SUFFIX}", _left),
+        "left run": Kind(run, crash_recovery.folder() / f"{NAME}{runfile.SUFFIX}", _left),
         "draft": Kind([draft], recovery.folder() / f"{NAME}.draft.json", _drafts),
         "experiment": Kind(shipped, folder / "e.json", catalog.open_plan),
         "data": Kind(data, folder / "d.csv", lambda path: read_data(path, level)),

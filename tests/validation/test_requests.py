@@ -10,8 +10,8 @@ from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
+from validation.cost.accuracy_requests import Request
 from validation.cost.report import asked, summed
-from validation.cost.requests import Request
 from validation.cost.sweep import Budget, Point, Sweep, errors, timed
 from validation.requests.accuracy_request import looked_at
 

@@ -10,7 +10,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.guarding.rate_limits import needed
+from sandbox.physics.guarding.step_rate_bounds import needed
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN

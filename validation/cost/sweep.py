@@ -18,7 +18,7 @@ from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
-from validation.cost.requests import Request, ask, costs
+from validation.cost.accuracy_requests import Request, ask, costs
 from validation.cost.run_error import Yardstick, run, yardstick
 
 RATES = tuple(15.0 * 2**i for i in range(10))

@@ -17,7 +17,7 @@ from validation.case import Case, Outcome
 from validation.case_loading import read
 from validation.cases import PHENOMENA, all_cases
 from validation.cost import command as cost
-from validation.cost.requests import Request
+from validation.cost.accuracy_requests import Request
 from validation.cost.sweep import Sweep
 from validation.effects import command as effects
 from validation.effects.costs import EffectCost, LevelCost

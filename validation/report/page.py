@@ -21,10 +21,10 @@ from validation.effects.costs import EffectCost, LevelCost
 from validation.effects.growth import Growth
 from validation.effects.tables import rows
 from validation.report import measurements
-from validation.report.digest.chapters import by_chapter
 from validation.report.digest.claims import Cases, cases, chosen, share
 from validation.report.digest.costs import Costs, Requests, costs, hooks
 from validation.report.digest.hard_cases import HardCases, hard_cases
+from validation.report.digest.level_chapters import by_chapter
 from validation.stability import report as stability_report
 
 SHOWN = 4

@@ -19,7 +19,7 @@ from sandbox.app.building.live_edits import KEPT
 from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.saving import Saving
 from sandbox.app.building.toolbox import FIRST, Toolbox
-from sandbox.app.building.trial_run import TrialRuns
+from sandbox.app.building.trial_run_history import TrialRuns
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage

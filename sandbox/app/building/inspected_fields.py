@@ -15,7 +15,7 @@ from sandbox.editing import suggested_checks
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits import effects
 from sandbox.editing.edits.checks import complete
-from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
+from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
 from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
 from sandbox.editing.renaming import rename

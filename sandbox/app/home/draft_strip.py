@@ -6,7 +6,7 @@ import pygame
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
-from sandbox.app.runs.run_recovery import LeftRun, left_runs
+from sandbox.app.runs.crash_recovery import LeftRun, left_runs
 from sandbox.app.words.language import later, say
 from sandbox.editing.recovery import Recoverable, recoverable
 

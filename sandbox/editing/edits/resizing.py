@@ -12,7 +12,7 @@ from sandbox.editing.attached_bodies import attached, shifted_point
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
 from sandbox.editing.edits.edit_result import EditResult, new_name
-from sandbox.editing.edits.fields import set_field
+from sandbox.editing.edits.field_values import set_field
 from sandbox.editing.formulas import scaled, towards
 from sandbox.editing.json_layout import Json
 from sandbox.editing.placement import PlacedBody, placed, xy

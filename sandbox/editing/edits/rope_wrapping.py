@@ -8,7 +8,7 @@ from math import acos, ceil, pi
 from sandbox.editing.cleanup import COEFFICIENTS, accepted
 from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.edits.effects import declare
-from sandbox.editing.edits.fields import set_field
+from sandbox.editing.edits.field_values import set_field
 from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import PlacedBody, placed, xy
 from sandbox.editing.text_patches import put_all

@@ -9,7 +9,7 @@ from math import degrees, pi
 from typing import NamedTuple
 
 from sandbox.editing.cleanup import accepted
-from sandbox.editing.edits.fields import parameter_name
+from sandbox.editing.edits.field_values import parameter_name
 from sandbox.editing.formulas import rounded, sum_of
 from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import PlacedBody, distance, placed, xy

@@ -38,7 +38,7 @@ from sandbox.physics.accuracy.refinement_search import (
     refine,
 )
 from sandbox.physics.accuracy.richardson import ORDERS
-from sandbox.physics.guarding.rate_limits import needed
+from sandbox.physics.guarding.step_rate_bounds import needed
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world

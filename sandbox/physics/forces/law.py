@@ -22,7 +22,7 @@ from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.state.motion import Motion
 
 if TYPE_CHECKING:
-    from sandbox.physics.forces.switch import Switches
+    from sandbox.physics.forces.force_switch import Switches
 
 
 class Law(Protocol):

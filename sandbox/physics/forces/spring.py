@@ -15,7 +15,7 @@ from sandbox.physics.state.anchor import Anchor, Plane
 from sandbox.physics.state.motion import Motion
 
 if TYPE_CHECKING:
-    from sandbox.physics.forces.switch import Switch
+    from sandbox.physics.forces.force_switch import Switch
 
 NODES = 40
 """The number of points at which a force law is evaluated to integrate its potential energy."""

@@ -8,8 +8,8 @@ import numpy as np
 
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
+from sandbox.physics.forces.force_switch import Switch, Switches
 from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
-from sandbox.physics.forces.switch import Switch, Switches
 from sandbox.physics.state.motion import Motion
 
 

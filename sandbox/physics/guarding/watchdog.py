@@ -28,7 +28,7 @@ from sandbox.physics.guarding.lost_bodies import (
     refuse_lost,
     stop,
 )
-from sandbox.physics.guarding.rate_limits import RateBound, called, slowing, steepness
+from sandbox.physics.guarding.step_rate_bounds import RateBound, called, slowing, steepness
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import MARGIN, limit
 from sandbox.physics.state.errors import SimulationError

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
     from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
     from sandbox.physics.contacts.shapes.one_way import Gates
-    from sandbox.physics.forces.switch import Switches
+    from sandbox.physics.forces.force_switch import Switches
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from sandbox.model.level import Level
 from sandbox.model.switched_forces import switched
-from sandbox.physics.forces.switch import Switch, Switches
+from sandbox.physics.forces.force_switch import Switch, Switches
 from sandbox.physics.joints.joints import Joints
 
 

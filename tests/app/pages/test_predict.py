@@ -12,7 +12,7 @@ from sandbox.app.cards.card import Card
 from sandbox.app.cards.checks import TOUCHED
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.pages.predict import card, neglected
+from sandbox.app.pages.predict import card, neglected_effects
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.panel import PredictPage
 from sandbox.app.pages.predict.predicting import PredictionWorker
@@ -493,16 +493,16 @@ def test_what_is_impossible_is_left_out_of_what_is_tried() -> None:
     level = scenes.level(checks=[AT_ONE])
     (question,) = questions(level, level.defaults)
 
-    found = list(neglected.trials(level, level.defaults, question))
+    found = list(neglected_effects.trials(level, level.defaults, question))
 
-    told = [each.label for each in found if isinstance(each, neglected.Trial)]
+    told = [each.label for each in found if isinstance(each, neglected_effects.Trial)]
     assert any("drag" in text for text in told)
     assert not any("friction" in text for text in told)  # which needs contact
 
 
 def test_an_effect_that_delays_an_instant_for_ever_is_told(pen: Pen, written: list[str]) -> None:
     outcome = Outcome(5.0, 5.0, 5.0, "m", 5.0)
-    trial = neglected.Trial((Variation("drag", settings={}),), 5.0, None)
+    trial = neglected_effects.Trial((Variation("drag", settings={}),), 5.0, None)
 
     card.result(pen, 280, Session(scenes.level()), outcome, [trial], None)
 

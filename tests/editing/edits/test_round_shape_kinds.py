@@ -7,7 +7,7 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_disc
 from sandbox.editing.edits.events import reverse, wait_for_quantity
-from sandbox.editing.edits.fields import set_field
+from sandbox.editing.edits.field_values import set_field
 from sandbox.editing.edits.resizing import ROUND, rounded
 from sandbox.editing.renaming import rename
 from sandbox.editing.text_patches import value_at

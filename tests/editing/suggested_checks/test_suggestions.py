@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.editing.edits.fields import make_parameter
+from sandbox.editing.edits.field_values import make_parameter
 from sandbox.editing.edits.transforms import move
 from sandbox.editing.suggested_checks import MOST_MOVING, followed, suggestions, take
 from sandbox.editing.text_patches import put_all

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from sandbox.app.background import BackgroundTask
 from sandbox.app.observing.running_checks import Ration
 from sandbox.app.pages.predict.judging import Outcome, judged
-from sandbox.app.pages.predict.neglected import Trial, TrialProgress, trials
+from sandbox.app.pages.predict.neglected_effects import Trial, TrialProgress, trials
 from sandbox.app.pages.predict.questions import questions, unit_of
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say

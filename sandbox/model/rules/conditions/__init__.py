@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from itertools import chain
 
 from sandbox.model.level import Level
-from sandbox.model.rules.conditions import effects, joints, scene, whole_duration, wires
+from sandbox.model.rules.conditions import effects, joints, scene, whole_duration, wire_shapes
 from sandbox.model.rules.conditions.condition import Condition
 
 _TOPICS: tuple[Callable[[Level], Iterator[Condition]], ...] = (
@@ -17,7 +17,7 @@ _TOPICS: tuple[Callable[[Level], Iterator[Condition]], ...] = (
     effects.singular_forces,
     effects.rockets,
     whole_duration.conditions,
-    wires.conditions,
+    wire_shapes.conditions,
 )
 
 

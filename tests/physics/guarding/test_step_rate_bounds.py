@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.model.level import Level
 from sandbox.physics.geometry.outline_distance import smallest
-from sandbox.physics.guarding.rate_limits import needs
+from sandbox.physics.guarding.step_rate_bounds import needs
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level, measured

@@ -12,8 +12,8 @@ import pygame
 import pytest
 
 from sandbox.app.home import draft_strip
-from sandbox.app.runs import run_recovery, runfile
-from sandbox.app.runs.run_recovery import OFTEN, LeftRun, RunRecovery, left_runs
+from sandbox.app.runs import crash_recovery, runfile
+from sandbox.app.runs.crash_recovery import OFTEN, LeftRun, RunRecovery, left_runs
 from sandbox.app.runs.session import Session
 from sandbox.model import file_writing, unsaved_files
 from tests.app.person import Person
@@ -126,9 +126,9 @@ def test_a_lost_run_is_offered_above_the_cards_and_gone_on_with(person: Person) 
 PLAYS = """
     import sys
     from pathlib import Path
-    from sandbox.app.runs import run_recovery
+    from sandbox.app.runs import crash_recovery
     from sandbox.app.window import Window
-    run_recovery.data_folder = lambda: Path(sys.argv[1])
+    crash_recovery.data_folder = lambda: Path(sys.argv[1])
     window = Window()
     window.open_level("newton/atwood")
     session = window.session
@@ -159,7 +159,7 @@ def test_a_window_killed_at_any_moment_loses_no_more_than_a_second(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Killed 8 times, each a little later: the run is whole, and lacks its last moments at most."""
-    monkeypatch.setattr(run_recovery, "folder", lambda: tmp_path / "runs")
+    monkeypatch.setattr(crash_recovery, "folder", lambda: tmp_path / "runs")
     for late in range(8):
         with plays(tmp_path) as window:
             assert window.stdout is not None

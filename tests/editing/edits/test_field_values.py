@@ -6,7 +6,7 @@ import pytest
 
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_disc
-from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
+from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
 from sandbox.editing.expanded_level import plain
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model import level_catalog
