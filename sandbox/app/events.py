@@ -82,7 +82,10 @@ class Events:
 
     def _key(self, event: pygame.event.Event) -> None:
         space, panels = self._space, self._space.panels
-        typing = not self._plays(event) and (panels.typing or self._answers(event))
+        plays = self._plays(event)
+        if plays:  # the number is taken, and letters are commands again
+            panels.manager.set_focus_set(None)
+        typing = not plays and (panels.typing or self._answers(event))
         if panels.focus.key(panels.manager, panels.layout, event):
             return
         if not typing and self._at_home(event):
