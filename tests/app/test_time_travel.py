@@ -440,7 +440,7 @@ def test_impacts_are_marked_and_a_click_near_a_mark_goes_exactly_there(person: P
     controls = person.window.panels.controls
     assert isinstance(controls, Controls)
     ((told, _),) = controls._pointed_at(session)
-    assert "ball1 strikes ball2" in told
+    assert "ball 1 strikes ball 2" in told
     assert " N s" in told
 
     person.click((mark()[0] + 4, mark()[1]))

@@ -373,6 +373,7 @@ def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
     """A ball falls on a floor, is found 5 mm deep, and is then kept there."""
     document = beam(1.0)
     document["bodies"]["load"]["position"][1] += 0.3
+    document["effects"]["contact"] = {"solver": "iterative"}
     level = make(document)
     found = Scene(0, "beam", document)
     seen = run(found, level, build(level), 0.6)

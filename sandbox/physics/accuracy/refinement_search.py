@@ -10,20 +10,12 @@ from dataclasses import dataclass, field
 from math import inf
 from time import thread_time
 
-import numpy as np
-
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
 from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.chaos import foretold
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
-from sandbox.physics.accuracy.refinement import (
-    SLOWEST,
-    WITNESSES,
-    Refinement,
-    held_against,
-    judged,
-)
+from sandbox.physics.accuracy.refinement import SLOWEST, Refinement, held_against, judged
 from sandbox.physics.accuracy.step_cost import LOOK, counted_cost
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
@@ -91,12 +83,6 @@ class Refiner:
         """Return the counted work of a run at a rate, even if it is known already [s]."""
         looks = min(rate, 2 * SEEN)
         return self.level.duration(self.values) * (rate * self.step + looks * LOOK)
-
-    def repeats(self, other: "Refiner") -> bool:
-        """Whether its last two runs are those of another, bit by bit: sweeps make no difference."""
-        rates = {trace.stepping.rate: trace for trace in other._traces}  # noqa: SLF001 (its own)
-        pairs = [(trace, rates.get(trace.stepping.rate)) for trace in self._traces[-WITNESSES:]]
-        return len(pairs) == WITNESSES and all(b is not None and _alike(a, b) for a, b in pairs)
 
     @property
     def over(self) -> bool:
@@ -198,26 +184,12 @@ def cost(refiners: Sequence[Refiner], refinement: Refinement) -> float:
     )
 
 
-def _alike(one: Trace, other: Trace) -> bool:
-    """Whether two runs at the same rate have the same scheme and the same bits."""
-    if one.stepping.scheme != other.stepping.scheme:
-        return False
-    shared = one.columns.keys() & other.columns.keys()  # a known run may have more
-    pairs = ((one.columns[name], other.columns[name]) for name in shared)
-    return all(np.array_equal(a, b, equal_nan=True) for a, b in pairs)
-
-
 def _worthwhile(refiners: Sequence[Refiner], refinements: Sequence[Refinement]) -> list[Refiner]:
     """Return the refiners that may still find something cheaper than the best sufficient run.
 
-    Finer runs only cost more, so the next run of a refiner must be below that run's work. One that
-    repeats the runs of an earlier one finds nothing else.
+    Finer runs only cost more, so the next run of a refiner must be below that run's work.
     """
-    left = [
-        refiner
-        for index, refiner in enumerate(refiners)
-        if not (refiner.over or any(map(refiner.repeats, refiners[:index])))
-    ]
+    left = [refiner for refiner in refiners if not refiner.over]
     target = refiners[0].target
     seen = [
         cost(refiners, refinement) * found[0].stepping.rate
