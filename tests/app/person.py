@@ -78,6 +78,15 @@ class Person:
         for letter in text:
             self.press(pygame.key.key_code(letter), letter)
 
+    def set_to(self, name: str, text: str) -> None:
+        """Type the value of a parameter, and press Return."""
+        field = self.side.parameters.row(name).field
+        self.click(field.rect)
+        field.set_text("")
+        self.type(text)
+        self.press(pygame.K_RETURN, "\r")
+        self.wait(1.0)
+
     def move(self, pixel: XY) -> None:
         """Move the mouse."""
         before = pygame.mouse.get_pos()

@@ -30,16 +30,6 @@ def find(person: Person, words: str) -> None:
     person.wait(0.1)
 
 
-def set_to(person: Person, name: str, value: str) -> None:
-    """Type the value of a parameter."""
-    field = person.side.parameters.row(name).field
-    person.click(field.rect)
-    field.set_text("")
-    person.type(value)
-    person.press(pygame.K_RETURN, "\r")
-    person.wait(0.5)
-
-
 def play(person: Person) -> None:
     """Play a run to its end."""
     person.press(pygame.K_SPACE, " ")
@@ -56,7 +46,7 @@ def test_everything_one_would_try_first_works(
     assert person.session.level.title == "Newton's cradle"
 
     # lift two balls: two swing out on the other side
-    set_to(person, "n", "2")
+    person.set_to("n", "2")
     play(person)
     assert person.session.at_end
 
@@ -100,8 +90,8 @@ def test_everything_one_would_try_first_works(
 
     # win a challenge
     find(person, "stop dead")
-    set_to(person, "m2", "2")
-    set_to(person, "v1", "3")
+    person.set_to("m2", "2")
+    person.set_to("v1", "3")
     play(person)
     assert Progress().stars("Stop dead") == 3
 

@@ -20,24 +20,14 @@ def redo(person: Person) -> None:
     person.press(pygame.K_y, "\x19", CONTROL)
 
 
-def set_to(person: Person, name: str, text: str) -> None:
-    side = person.side
-    field = side.parameters.row(name).field
-    person.click(field.rect)
-    field.set_text("")
-    person.type(text)
-    person.press(pygame.K_RETURN, "\r")
-    person.wait(1.0)
-
-
 def g(person: Person) -> float:
     return float(person.session.values["g"])
 
 
 def test_a_parameter_is_taken_back_and_set_again(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
-    set_to(person, "g", "5")
-    set_to(person, "g", "7")
+    person.set_to("g", "5")
+    person.set_to("g", "7")
     undo(person)
     assert g(person) == 5
     assert "g is 5" in person.window.banner._note
@@ -56,9 +46,9 @@ def test_what_is_changed_after_an_undo_takes_the_place_of_what_was_undone(
     person: Person, tmp_path: Path
 ) -> None:
     person.open(tmp_path, falling())
-    set_to(person, "g", "5")
+    person.set_to("g", "5")
     undo(person)
-    set_to(person, "g", "8")
+    person.set_to("g", "8")
     redo(person)
     assert g(person) == 8
     undo(person)
@@ -142,7 +132,7 @@ def test_a_change_on_the_way_is_taken_back_to_the_step_where_it_was_made(
 
 def test_a_way_back_in_time_is_no_change(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
-    set_to(person, "g", "5")
+    person.set_to("g", "5")
     for _ in range(20):
         person.session.step()
     person.session.branch({"g": 4.0})
@@ -159,7 +149,7 @@ def test_a_way_back_in_time_is_no_change(person: Person, tmp_path: Path) -> None
 
 def test_another_level_has_nothing_to_be_taken_back(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
-    set_to(person, "g", "5")
+    person.set_to("g", "5")
     person.open(tmp_path, falling(title="Another"))
     undo(person)
     assert g(person) == 10
@@ -181,8 +171,8 @@ def test_a_branch_is_taken_back_and_made_again_where_the_run_still_stands_at_it(
     person.open(tmp_path, falling())
     person.session.do_again((), 20)
     person.press(pygame.K_o, "O", pygame.KMOD_SHIFT)
-    set_to(person, "g", "12")
-    set_to(person, "g", "14")
+    person.set_to("g", "12")
+    person.set_to("g", "14")
     assert (g(person), person.session.world.steps) == (14, 20)
 
     for key, expected in ((undo, 12), (undo, 10), (redo, 12), (redo, 14)):
