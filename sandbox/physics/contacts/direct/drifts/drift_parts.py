@@ -161,6 +161,7 @@ class CutDrift:
         kept, back = self._taken_back()
         stages = [(part.kick, stage) for part in self.parts[1:] for stage in self._stages(part)]
         between = (self.parts[0].kick, self._given_less()), *stages, (kept, back)
+        lifted = self._lifted(left, [stage for _, stage in between])
         return DividedDrift(
             left,
             back.velocity,
@@ -169,7 +170,7 @@ class CutDrift:
             tuple(self._seen(kick, stage) for kick, stage in between),
             1.0,
             self._place(self.parts[-1].end),
-            self._lifted,
+            lifted,
         )
 
     @property
@@ -195,13 +196,40 @@ class CutDrift:
         return first if _catches(self.whole, first) else self.whole
 
     @property
-    def _lifted(self) -> float:
-        """The excess of the energy that is read in the middle of it, see `DividedDrift` [J]."""
-        inertia = inertia_of(self.whole.kick.joints.inverse)[self._places]
-        mass = np.where(self.reached[:, None], inertia, 0.0)
-        last = self.parts[-1]
-        bent = (self._led.pulls - last.steady @ last.kick.response)[self._places]
-        return float(np.sum(mass * self.laws[self._places] * bent)) * self.whole.drift**2 / 8
+    def _missing(self) -> float:
+        """The time by which the kick after it is shorter than a whole one [s]."""
+        return (self.whole.drift - self.parts[-1].drift) / 2
+
+    @cached_property
+    def _lasting(self) -> Array:
+        """(r,), the forces of its last part that are traced back [N]; see `_steady`."""
+        return _steady(self.parts[-1], self.laws, self._missing, self.reached)
+
+    def _lifted(self, left: Array, stages: Sequence[Stage]) -> float:
+        """Return the excess of the energy in the middle of it, see `DividedDrift` [J].
+
+        The work of constant laws is the change of what they store, by whichever way bodies go. In
+        the books it is that of the kicks, at their mean velocities, and what laws store is read
+        along the straight parts. The two differ where forces set in or end: a falling body has
+        m a² h² / 8 more energy on its parabola than in the middle of the chord. Bodies that rest,
+        but whose forces are not traced back, are read as if they fell.
+
+        `left`, (n, 3), are the velocities after the whole kick before it [m/s, rad/s], and `stages`
+        are the kicks from there on, up to the velocities before the whole kick after it.
+        """
+        ended = [stage.velocity for stage in stages]
+        begun, places = [left, *ended[:-1]], self._places
+        ways = np.zeros_like(left)
+        for stage, before in zip(stages, begun, strict=True):
+            ways += stage.lasts / 2 * (before + stage.velocity)
+        for part in self.parts:
+            ways -= part.drift * part.moved[places]
+        whole, last = self.whole.drift, self.parts[-1]
+        ways += whole / 2 * (left + ended[-1])
+        unsure = ((last.steady - self._lasting) @ self._ended.response)[places]
+        ways -= (whole**2 - last.drift**2) / 8 * unsure
+        inertia = inertia_of(self.whole.kick.joints.inverse)[places]
+        return float(np.sum((inertia * self.laws[places] * ways)[self.reached]))
 
     def _given_less(self) -> Stage:
         """Return the difference between the kick before it and a whole one."""
@@ -211,9 +239,7 @@ class CutDrift:
 
     def _taken_back(self) -> tuple[Kick, Stage]:
         """Return the excess of the whole kick after it, taken back, and its rows."""
-        last, kick = self.parts[-1], self._ended
-        missing = (self.whole.drift - last.drift) / 2
-        forces = _steady(last, self.laws, missing, self.reached)
+        last, kick, missing, forces = self.parts[-1], self._ended, self._missing, self._lasting
         begun = last.moved - missing * (self.laws + forces @ kick.response)
         return kick, Stage.of(kick, -missing, self._moving(begun[self._places]), -missing * forces)
 
