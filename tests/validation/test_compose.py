@@ -450,6 +450,7 @@ MENDED = {
     1083628395: "where pymunk exchanged two bodies, their contact points exchanged their forces",
     1524298697: "joints passed energy on that was not converted, and the bound forgot it",
     2814903438: "parts of a drift with overlaps of less than a millimetre added energy",
+    2774117334: "a jerk of rods that a landing prevented was read as energy, for a step",
 }
 """Scenes that failed once, and why."""
 

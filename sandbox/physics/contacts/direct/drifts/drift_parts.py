@@ -28,6 +28,9 @@ DEEP = 1e-3
 """m, the overlap in a drift because of which it is divided. Each part adds a little energy where
 bodies are squeezed out, so smaller ones are left to the correction of overlaps."""
 
+JERKS = 1e-3
+"""The share of the kinetic energy that joints give or take in a jerk, at least."""
+
 
 class DriftPart(NamedTuple):
     """A part of a drift, and the kick before it; r rows, N bodies with the plane.
@@ -189,11 +192,23 @@ class CutDrift:
         last = self.parts[-1]
         return last.kick.moved(last.end)
 
-    @property
+    @cached_property
     def _led(self) -> DriftPart:
-        """The motion up to the first landing: the whole drift, unless a rope is caught later."""
-        first = self.parts[0]
-        return first if _catches(self.whole, first) else self.whole
+        """The motion up to the first landing.
+
+        That of the whole drift, unless a rope is caught later in it, or a jerk of joints that the
+        landing prevents does work.
+        """
+        first, whole = self.parts[0], self.whole
+        least = JERKS * whole.kick.joints.kinetic(whole.begun)
+        jerks = abs(self._work(whole)) > abs(self._work(first)) + least
+        return first if jerks or _catches(whole, first) else whole
+
+    def _work(self, part: DriftPart) -> float:
+        """Return the work of the joints in a whole kick before a part [J]."""
+        lasts, rows = self.whole.lasts, part.kick.layout.joints
+        mean = part.begun + lasts / 2 * (self.laws + part.pulls)
+        return lasts * float(part.forces[rows] @ (part.kick.here.jacobian[rows] @ mean))
 
     @property
     def _missing(self) -> float:
