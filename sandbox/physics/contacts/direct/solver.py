@@ -27,6 +27,7 @@ from sandbox.physics.contacts.direct.complementarity.constraint_rows import Acti
 from sandbox.physics.contacts.direct.drifts.drift_parts import CutDrift, DriftPart
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
+from sandbox.physics.contacts.direct.drifts.joint_catches import caught
 from sandbox.physics.contacts.direct.drifts.landing_drifts import DriftCutter
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
@@ -75,7 +76,7 @@ class DirectSolver:
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._starts = 0.0, True
         self._until = 0.0  # s, the end of the drift that follows
-        self._known = WarmStart()
+        self._known, self._pulled = WarmStart(), np.zeros(0, dtype=bool)
         self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
         self._speculative = SpeculativeContacts(query, surfaces, self._moves)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
@@ -268,9 +269,11 @@ class DirectSolver:
             taken.strikes or taken.flat or look.ends.passing(taken.kick, way, taken.forces)
         )
         lands = ends or look.approaching.near(self._build.contacts, place, way)
-        if not (lands or (taken and taken.slides)):
+        pulls = self._pulls()
+        if not (lands or pulls or (taken and taken.slides)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
+        lands = lands or (pulls and np.count_nonzero(caught(whole)))
         if not (lands or len(slip_ends(whole, laws))):
             return None
         driven, calm = self._driven(), self._none if stopped is None else stopped
@@ -291,6 +294,13 @@ class DirectSolver:
         self._batch.set_velocity(mean)
         self._known.note(last.kick, last.steady, last.active)
         return landed
+
+    def _pulls(self) -> bool:
+        """Return whether a one-sided joint pulls that did not in the last kick."""
+        joints = self._joints
+        pulls = joints.pulls_only & (joints.tension > 0)
+        known, self._pulled = self._pulled, pulls
+        return bool(np.count_nonzero(pulls if len(known) != len(pulls) else pulls & ~known))
 
     def _stop(self, kick: Kick, crowded: Booleans) -> None:
         """Let what would land in a crowd, (n,), come to touch after a kick, and go no further."""

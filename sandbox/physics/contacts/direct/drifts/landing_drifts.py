@@ -19,6 +19,7 @@ Bodies that take no part in a landing go on as they were.
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 
@@ -28,11 +29,18 @@ from sandbox.physics.contacts.direct.drifts.drift_parts import (
     DriftPart,
     around,
     concerned,
+    linked,
     moving,
     others_of,
 )
 from sandbox.physics.contacts.direct.drifts.first_landing import until_first
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON, FirstMeeting, MeetingFinder
+from sandbox.physics.contacts.direct.drifts.joint_catches import (
+    catch_time,
+    caught,
+    loose,
+    until_caught,
+)
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import crowd
@@ -63,6 +71,9 @@ that turn far in it would gain energy on its curved path, by the third power of 
 
 MOST = 16
 """The most landings of one drift that are located. With more of them all bodies are a crowd."""
+
+CATCHES = 8
+"""The most times that one-sided joints catch in a drift that are located."""
 
 STOPS = 2
 """The most ends of slips that are located in a drift."""
@@ -126,7 +137,7 @@ class DriftCutter:
     def _begin(self, reached: Booleans) -> None:
         """Begin a drift in whose landings some bodies, (n,), are known to take part."""
         self.reached = reached
-        self._stops = 0  # the ends of slips that were located
+        self._stops = self._catches = 0  # the ends of slips, and the catches, that were located
         self._early: Booleans | None = None  # who takes part from the first landing on
         self._near: list[Pair] = []  # who might take part
         self.record = LandingRecord(len(reached))
@@ -169,23 +180,30 @@ class DriftCutter:
     def _cut(self, part: DriftPart) -> tuple[DriftPart, DriftPart] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
         kick, known = part.kick, (self.reached, self._early)
-        stopped = self._until_it_stops(part)
+        free = self._loose(part)
+        stopped = self._until_it_stops(free)
         kick.joints.time(part.drift, part.drift)
-        seen = stopped or part
+        seen = stopped or free
         ahead = self._meetings.ahead(seen, self._is_calm)
         self._near += ahead.pairs
         met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
-        sunk = self._sunk(seen)
-        if not (met or stopped or sunk) or (met and self._is_crowd(part, met)):
+        catch = inf if free is part else catch_time(seen, self._laws, self._until, seen.drift)
+        met, catch = (None, catch) if met is None or catch < met.time else (met, inf)
+        sunk = [] if catch < inf else self._sunk(seen)
+        if not (met or stopped or sunk or catch < inf) or (met and self._is_crowd(part, met)):
+            self.reached = known[0]
             return None
         self._take_in(around(kick, [*(met.pairs if met else ()), *sunk]))
         self._early = self.reached if self._early is None else self._early
         try:
             if met:
                 seen, met = until_first(seen, met, self._meetings, self._shortened)
+            elif catch < inf:
+                self._catches += 1
+                seen = until_caught(free, catch, self._laws, self._until, self._shortened)
             elif stopped:
                 self._stops += 1
-            seen, met = self._kept(part, seen, met)
+            seen, met = self._kept(free, seen, met)
             left = part.drift - seen.drift
             if met and met.passing:
                 return seen, self._pass(seen, left, met, ahead.pairs)
@@ -193,6 +211,19 @@ class DriftCutter:
         except (JointFailure, NoForces):
             self.reached, self._early = known  # it is found where the drift ends
             return None
+
+    def _loose(self, part: DriftPart) -> DriftPart:
+        """Return a part in which no slack joint acts, if one catches in it; else the part."""
+        catches = caught(part)
+        if self._catches == CATCHES or not np.count_nonzero(catches):
+            return part
+        known, held = self.reached, part.kick.acts[part.kick.layout.joints][catches]
+        self.reached = known | linked(part.kick, held.any(axis=0))
+        try:
+            return self._solved(loose(part), part.drift, part.lasts)
+        except (JointFailure, NoForces):
+            self.reached = known
+            return part
 
     def _until_it_stops(self, part: DriftPart) -> DriftPart | None:
         """Return a part up to where its first slip ends; None if none does."""
@@ -267,7 +298,10 @@ class DriftCutter:
         self._take_in(around(kick, down.and_(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
-        begun, stages = self._struck(part, struck) if met else self._arrived(part, struck)[1:]
+        catching = shorter.kick.slack & ~kick.slack
+        hits = met or catching.any()
+        arrives = self._struck if hits else self._arrived
+        begun, stages = arrives(part, struck, catching)[-2:]
         after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
         return self._closed(self._solved(after, left, left / 2))
 
@@ -289,7 +323,9 @@ class DriftCutter:
         part = DriftPart(kick, left, left, begun, left / 2, forces, active, begun, stages)
         return self._closed(self._solved(part, left, left / 2))
 
-    def _arrived(self, part: DriftPart, struck: Booleans) -> tuple[Kick, Array, tuple[Stage, ...]]:
+    def _arrived(
+        self, part: DriftPart, struck: Booleans, catching: Booleans | None = None
+    ) -> tuple[Kick, Array, tuple[Stage, ...]]:
         """Return the velocities at the end of a part, before any impact, and the stage up to there.
 
         See `_struck`; also the rows of bodies that are `reached`.
@@ -297,15 +333,19 @@ class DriftCutter:
         mine, others, drive = others_of(part, self._laws, self.reached)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
-        came, to_it = coupled_impacts.come(some, part.moved + half * drive, struck, part.active)
+        motion = part.moved + half * drive
+        came, to_it = coupled_impacts.come(some, motion, struck, part.active, catching)
         return some, came, (Stage.of(part.kick, half, came[self._order], to_it + half * others),)
 
-    def _struck(self, part: DriftPart, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
+    def _struck(
+        self, part: DriftPart, struck: Booleans, catching: Booleans
+    ) -> tuple[Array, tuple[Stage, ...]]:
         """Return the velocities after the impact at the end of a part, and its stages.
 
-        The part already has the rows there; `struck` tells which of its gaps land, (k,).
+        The part already has the rows there; `struck` tells which of its gaps land, (k,), and
+        `catching` which of its joints catch, (m,).
         """
-        some, came, before = self._arrived(part, struck)
+        some, came, before = self._arrived(part, struck, catching)
         begun, pushes, pairs = coupled_impacts.bounce(some, came, struck, part.active)
         stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
