@@ -23,6 +23,10 @@ EXACT = 1e-13
 """The share of a drift within which the time of a catch must agree with that for which the kick is
 solved."""
 
+CLOSE = 1e-15
+"""m or rad, the distance from a joint's bound at which it catches. The rest of the drift makes up
+for it, perhaps in a short time, so it is rounding."""
+
 
 def caught(part: DriftPart) -> Booleans:
     """Return which one-sided joints catch within a part of a drift: (m,)."""
@@ -60,7 +64,8 @@ def catch_time(part: DriftPart, laws: Array, until: float, longest: float) -> fl
         return float(gaps(t)[row])
 
     rows = np.flatnonzero(part.kick.slack & (gaps(longest) < 0))
-    first = min((root(partial(gap, row), longest) for row in rows.tolist()), default=inf)
+    times = (root(partial(gap, row), longest, CLOSE) for row in rows.tolist())
+    first = min(times, default=inf)
     return first if first <= longest * (1 - SOON) else inf
 
 
