@@ -70,6 +70,7 @@ class DirectSolver:
         self._batch, self._joints, self._dt = batch, joints, dt
         self._moves: Booleans = inertia[:, 0] > 0
         self._fixed, self._none = np.flatnonzero(~self._moves), np.zeros(len(inertia), dtype=bool)
+        self._meets = any(body.shapes for body in query.bodies)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
@@ -117,7 +118,8 @@ class DirectSolver:
         The drift that follows ends at the time `until` [s]. Raises `JointFailure` or `NoForces` if
         there are no such impulses.
         """
-        self._build.find_contacts(self._moved)
+        if self._meets:
+            self._build.find_contacts(self._moved)
         self._pushed, self._until, self._taken = None, until, None
         self.last, self.stages = self._calm, ()
         self.drifts.begin(self._build.contacts)
@@ -130,6 +132,14 @@ class DirectSolver:
             self._solve_joints(until)
         divided = self.drifts.divided
         landed = None if divided else self._land(until)
+        if self._meets:
+            self._note_change(landed)
+        if np.count_nonzero(pushed := self.drifts.landings.pushed):
+            self.last = self.last._replace(impulse=pushed)
+
+    def _note_change(self, landed: CutDrift | None) -> None:
+        """Note how velocities change in a step, from the drift after the kick if that is cut."""
+        divided = self.drifts.divided
         if landed:
             after = landed.whole.moved[self._order]
         else:
@@ -141,8 +151,6 @@ class DirectSolver:
         if landed:
             onwards = landed.onwards * self._dt
             self._change = np.where(landed.reached[:, None], onwards, self._change)
-        if np.count_nonzero(pushed := self.drifts.landings.pushed):
-            self.last = self.last._replace(impulse=pushed)
 
     def _moved(self) -> Array:
         """Return the sizes of the bodies' displacements in the last step: (n, 3) [m, rad]."""
@@ -260,7 +268,8 @@ class DirectSolver:
 
         Crowds are stopped, and what is left is looked at again, without those that are `stopped`.
         """
-        if not self._locates:
+        pulls = self._pulls()
+        if not (self._locates and (self._meets or pulls)):
             return None
         taken, look = self._taken, self._speculative
         place, motion = taken.coordinates if taken else self._joints.coordinates()
@@ -269,7 +278,6 @@ class DirectSolver:
             taken.strikes or taken.flat or look.ends.passing(taken.kick, way, taken.forces)
         )
         lands = ends or look.approaching.near(self._build.contacts, place, way)
-        pulls = self._pulls()
         if not (lands or pulls or (taken and taken.slides)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
