@@ -12,7 +12,8 @@ TRIES = 60
 def root(function: Callable[[float], float], until: float, close: float = CLOSE) -> float:
     """Return a root of a falling function between 0 and `until`; inf if it is still positive there.
 
-    Absolute values up to `close` count as 0. It uses the Illinois method, false position with the value at a retained end halved.
+    Absolute values up to `close` count as 0. It uses the Illinois method, false position with the
+    value at a retained end halved.
     """
     low, high = 0.0, until
     above, below = function(low), function(high)

@@ -96,7 +96,7 @@ def bounce(
     `came`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `held` see
     `come`. Raises `JointFailure` or `NoForces` if there are no impulses even without a rebound.
     """
-    if kick.layout.in_sequence:
+    if kick.layout.in_sequence and np.count_nonzero(strikes):
         impulse, met = _in_sequence(kick, came)
     else:
         impulse, met = _together(kick, came, strikes, held), [np.flatnonzero(strikes)]
