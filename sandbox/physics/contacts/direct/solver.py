@@ -27,7 +27,7 @@ from sandbox.physics.contacts.direct.complementarity.constraint_rows import Acti
 from sandbox.physics.contacts.direct.drifts.drift_parts import CutDrift, DriftPart
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
-from sandbox.physics.contacts.direct.drifts.joint_catches import caught
+from sandbox.physics.contacts.direct.drifts.joint_catches import Pulls, caught
 from sandbox.physics.contacts.direct.drifts.landing_drifts import DriftCutter
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
@@ -77,7 +77,7 @@ class DirectSolver:
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._starts = 0.0, True
         self._until = 0.0  # s, the end of the drift that follows
-        self._known, self._pulled = WarmStart(), np.zeros(0, dtype=bool)
+        self._known, self._pulls = WarmStart(), Pulls()
         self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
         self._speculative = SpeculativeContacts(query, surfaces, self._moves)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
@@ -119,7 +119,7 @@ class DirectSolver:
         there are no such impulses.
         """
         if self._meets:
-            self._build.find_contacts(self._moved)
+            self._build.find_contacts(lambda: np.abs(self._begun) * self._dt)
         self._pushed, self._until, self._taken = None, until, None
         self.last, self.stages = self._calm, ()
         self.drifts.begin(self._build.contacts)
@@ -131,6 +131,7 @@ class DirectSolver:
             self._solved = None
             self._solve_joints(until)
         divided = self.drifts.divided
+        self._pulls.note(self._joints)
         landed = None if divided else self._land(until)
         if self._meets:
             self._note_change(landed)
@@ -140,10 +141,9 @@ class DirectSolver:
     def _note_change(self, landed: CutDrift | None) -> None:
         """Note how velocities change in a step, from the drift after the kick if that is cut."""
         divided = self.drifts.divided
+        after = divided.left if divided else self._batch.velocity()
         if landed:
             after = landed.whole.moved[self._order]
-        else:
-            after = divided.left if divided else self._batch.velocity()
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
@@ -151,10 +151,6 @@ class DirectSolver:
         if landed:
             onwards = landed.onwards * self._dt
             self._change = np.where(landed.reached[:, None], onwards, self._change)
-
-    def _moved(self) -> Array:
-        """Return the sizes of the bodies' displacements in the last step: (n, 3) [m, rad]."""
-        return np.abs(self._begun) * self._dt
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
@@ -268,7 +264,7 @@ class DirectSolver:
 
         Crowds are stopped, and what is left is looked at again, without those that are `stopped`.
         """
-        pulls = self._pulls()
+        pulls = self._pulls.begins
         if not (self._locates and (self._meets or pulls)):
             return None
         taken, look = self._taken, self._speculative
@@ -281,8 +277,8 @@ class DirectSolver:
         if not (lands or pulls or (taken and taken.slides)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
-        lands = lands or (pulls and np.count_nonzero(caught(whole)))
-        if not (lands or len(slip_ends(whole, laws))):
+        catches = pulls and caught(whole).any()
+        if not (lands or catches or len(slip_ends(whole, laws))):
             return None
         driven, calm = self._driven(), self._none if stopped is None else stopped
         landings = DriftCutter(look, self._build, laws, until, driven=driven, stopped=calm)
@@ -302,13 +298,6 @@ class DirectSolver:
         self._batch.set_velocity(mean)
         self._known.note(last.kick, last.steady, last.active)
         return landed
-
-    def _pulls(self) -> bool:
-        """Return whether a one-sided joint pulls that did not in the last kick."""
-        joints = self._joints
-        pulls = joints.pulls_only & (joints.tension > 0)
-        known, self._pulled = self._pulled, pulls
-        return bool(np.count_nonzero(pulls if len(known) != len(pulls) else pulls & ~known))
 
     def _stop(self, kick: Kick, crowded: Booleans) -> None:
         """Let what would land in a crowd, (n,), come to touch after a kick, and go no further."""

@@ -18,6 +18,7 @@ from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.geometry.roots import root, secant
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
+from sandbox.physics.joints.exact.shake import ExactJoints
 
 EXACT = 1e-13
 """The share of a drift within which the time of a catch must agree with that for which the kick is
@@ -26,6 +27,20 @@ solved."""
 CLOSE = 1e-15
 """m or rad, the distance from a joint's bound at which it catches. The rest of the drift makes up
 for it, perhaps in a short time, so it is rounding."""
+
+
+class Pulls:
+    """Remembers which one-sided joints pull; `begins` tells whether one began to in this kick."""
+
+    def __init__(self) -> None:
+        self._known: Booleans = np.zeros(0, dtype=bool)
+        self.begins = False
+
+    def note(self, joints: ExactJoints) -> None:
+        """Note the forces of the joints in a kick."""
+        pulls, known = joints.pulls_only & (joints.tension > 0), self._known
+        new = pulls & ~known if len(known) == len(pulls) else pulls
+        self.begins, self._known = bool(np.count_nonzero(new)), pulls
 
 
 def caught(part: DriftPart) -> Booleans:
