@@ -31,6 +31,7 @@ from sandbox.physics.contacts.direct.drifts.joint_catches import Pulls, caught
 from sandbox.physics.contacts.direct.drifts.landing_drifts import DriftCutter
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
+from sandbox.physics.contacts.direct.kicks.breaking_loose import loosened
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult, Stage
 from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, take
@@ -75,8 +76,7 @@ class DirectSolver:
         self._order = order(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
-        self._lead, self._starts = 0.0, True
-        self._until = 0.0  # s, the end of the drift that follows
+        self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
         self._known, self._pulls = WarmStart(), Pulls()
         self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
         self._speculative = SpeculativeContacts(query, surfaces, self._moves)
@@ -109,8 +109,7 @@ class DirectSolver:
 
     def velocity(self) -> Array:
         """Return the velocities before a kick: (n, 3) [m/s, rad/s]."""
-        divided = self.drifts.divided
-        return divided.begun if divided else self._batch.velocity()
+        return self.drifts.divided.begun if self.drifts.divided else self._batch.velocity()
 
     def solve(self, until: float) -> None:
         """Find the impulses of a kick, and set the velocities after it.
@@ -206,8 +205,10 @@ class DirectSolver:
             except (JointFailure, NoForces) as last:  # a joint knows more in a whole step
                 raise (whole if isinstance(whole, JointFailure) else last) from None
             return
-        taken = self._closed(taken, start)
-        self._keep(taken, start)
+        smooth = self._is_whole and not taken.impacts
+        loose = loosened(kick, taken.active.slip, self._known.last_two) if smooth else None
+        taken = take(loose, start, self._known) if loose else taken
+        self._keep(self._closed(taken, start), start)
 
     def _keep(self, taken: KickResult, start: KickStart) -> None:
         """Set the velocities after a kick, and remember it."""
@@ -244,8 +245,7 @@ class DirectSolver:
     @property
     def _is_whole(self) -> bool:
         """Whether this kick and the drift after it are as long as a step."""
-        joints = self._joints
-        return not self._starts and joints.kick == joints.drift == self._dt
+        return not self._starts and self._joints.kick == self._joints.drift == self._dt
 
     def _divide(self, kick: Kick, start: KickStart) -> None:
         """Take the drift after a kick in parts, and set its mean velocities."""
