@@ -11,7 +11,7 @@ from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression, Fraction, Values
-from sandbox.model.joints import AngleStop, Joint, Stop
+from sandbox.model.joints import AngleStop, Joint, Rope, Stop, Winding, is_exact
 from sandbox.model.measuring_instants import (
     ApexEvent,
     CrossingEvent,
@@ -131,6 +131,24 @@ def bouncing(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Fraction]]:
     for name, joint in joints.items():
         if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
             yield name, joint.restitution
+
+
+def beside_bouncing(joints: Mapping[str, Joint], events: Mapping[str, Event]) -> list[str]:
+    """Return the ropes and stops that do not rebound, if others do; not those that are tied later.
+
+    Both may be reached within the same step, so both are located in the same way.
+    """
+    others = {name for name, _ in bouncing(joints)}
+    if not others:
+        return []
+    others |= tied(events)
+    return [
+        name
+        for name, joint in joints.items()
+        if isinstance(joint, Rope | Winding | Stop | AngleStop)
+        and is_exact(joint)
+        and name not in others
+    ]
 
 
 def tied(events: Mapping[str, Event]) -> frozenset[str]:

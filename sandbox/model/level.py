@@ -4,6 +4,7 @@ A `Level` is frozen: it describes a scene and never changes. Everything that mov
 that `sandbox.physics` builds from it.
 """
 
+from collections import Counter
 from collections.abc import Mapping
 from itertools import chain
 from math import ceil
@@ -29,7 +30,20 @@ from sandbox.model.effects import Effects
 from sandbox.model.effects.contact import Contact
 from sandbox.model.expressions import Expression, Positive, Values
 from sandbox.model.functions import Formula
-from sandbox.model.joints import Held, Joint, Own, Pulley, bodies_of, body_of, is_exact, points
+from sandbox.model.joints import (
+    AngleStop,
+    Held,
+    Joint,
+    Own,
+    Pulley,
+    Rope,
+    Stop,
+    Winding,
+    bodies_of,
+    body_of,
+    is_exact,
+    points,
+)
 from sandbox.model.json_positions import Path
 from sandbox.model.measuring_instants import ApexEvent as ApexEvent
 from sandbox.model.measuring_instants import ContactEvent as ContactEvent
@@ -277,20 +291,45 @@ def may_be_direct(level: Level) -> bool:
     return not left and not (friction and friction.located)
 
 
+def may_catch(level: Level, stepping: Stepping | None = None) -> bool:
+    """Whether one-sided joints of a level without contacts may catch: ropes, windings, stops.
+
+    Strings that share a body with another exact joint are among them, but not stops that rebound.
+    """
+    joints, stepping = level.joints.values(), stepping or level.stepping
+    if level.effects.contact or stepping.scheme != "leapfrog":
+        return False
+    if any(isinstance(joint, Own) and not joint.exact for joint in joints):
+        return False
+    sided = (joint for joint in joints if isinstance(joint, Rope | Winding | Stop | AngleStop))
+    if any(getattr(joint, "restitution", None) is None for joint in sided):
+        return True
+    return sum(isinstance(joint, Pulley) for joint in joints) > len(_lone_strings(level))
+
+
 def is_alone(name: str, level: Level) -> bool:
     """Whether a joint is a plain string that shares no moving body with another exact joint.
 
-    None is alone if contacts are solved directly, or if an event cuts or ties it, or if it may
-    break.
+    None is alone if contacts are solved directly, or if one-sided joints may catch, or if an event
+    cuts or ties it, or if it may break.
     """
     joint = level.joints[name]
-    if not isinstance(joint, Pulley) or is_direct(level):
+    if not isinstance(joint, Pulley) or is_direct(level) or may_catch(level):
         return False
-    if name in cut(level.events, level.joints) | tied(level.events):
-        return False
-    first, *pegs, last = points(joint)
-    if any(isinstance(end, Held) for end in (first, last)) or any(body_of(peg) for peg in pegs):
-        return False
-    moving = {body for body in bodies_of(joint) if level.bodies[body].type == "dynamic"}
-    others = (o for n, o in level.joints.items() if n != name and is_exact(o))
-    return not any(moving & set(bodies_of(other)) for other in others)
+    return name in _lone_strings(level)
+
+
+def _lone_strings(level: Level) -> set[str]:
+    """Return the plain strings over pegs that share no moving body with another exact joint."""
+    exact = (joint for joint in level.joints.values() if is_exact(joint))
+    counts = Counter(body for joint in exact for body in set(bodies_of(joint)))
+    changed, found = cut(level.events, level.joints) | tied(level.events), set()
+    for name, joint in level.joints.items():
+        if not isinstance(joint, Pulley) or name in changed:
+            continue
+        first, *pegs, last = points(joint)
+        plain = not (isinstance(first, Held) or isinstance(last, Held) or any(map(body_of, pegs)))
+        moving = (body for body in bodies_of(joint) if level.bodies[body].type == "dynamic")
+        if plain and all(counts[body] == 1 for body in moving):
+            found.add(name)
+    return found

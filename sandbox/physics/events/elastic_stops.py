@@ -6,10 +6,8 @@ step rests on the stop: from then on the stop is a one-sided joint that pushes, 
 leaves. So a ball that bounces lower and lower comes to rest; the stop absorbs its last bounces,
 those lower than g dt²/8.
 
-Stops without a restitution, and ropes, are one-sided joints at all times. They take the speed of an
-impact in the two kicks around it: the share 1 − f before and f after it. Directions turn in
-between. So where other joints, turning bodies or contacts take part, the error of such an impact is
-f (1 − f) dt times that of the impulses: of first order.
+Stops without a restitution, and ropes, are one-sided joints at all times, which the direct solver
+locates (see `joint_catches`). Beside elastic stops they are located here, as with e = 0.
 """
 
 from collections.abc import Mapping
@@ -17,15 +15,16 @@ from typing import Self
 
 import numpy as np
 
-from sandbox.model.acting_events import bouncing
+from sandbox.model.acting_events import beside_bouncing, bouncing
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
 from sandbox.physics.events.switching_events import NEAR, Part, since
+from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
-from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
 from sandbox.physics.scene.scene import Scene
 
 TOUCHING = 1e-9
@@ -58,7 +57,8 @@ class Bounces:
     ) -> Self | None:
         """Return the bounces of a scene; None if it has no elastic stops."""
         sides = scene.joints.elastic
-        restitution = {name: e(values) for name, e in bouncing(level.joints)}
+        restitution = dict.fromkeys(beside_bouncing(level.joints, level.events), 0.0)
+        restitution |= {name: e(values) for name, e in bouncing(level.joints)}
         return cls(scene, sides, restitution, borne, dt) if sides else None
 
     def _begin(self) -> None:
@@ -74,6 +74,16 @@ class Bounces:
         """Release bodies that leave the stop on which they rest."""
         for side in sorted(self._resting):
             if not self._together.tension[self._rows(side)].any():
+                self._let_go(side)
+
+    def _release_slack(self) -> None:
+        """Release bodies that have left the stop on which they rest within this drift.
+
+        An impact elsewhere may drive them back to it, which is an impact of its own.
+        """
+        beyond = self._beyond(self._scene.batch.state()[:, :3])
+        for side in sorted(self._resting):
+            if beyond[side] < -(TAUT + QUADRATIC):
                 self._let_go(side)
 
     def first(self, part: Part) -> tuple[int, float] | None:
@@ -103,7 +113,12 @@ class Bounces:
         return since(lambda t: bool(self._beyond(part.state(t)[0])[side] > 0), low, part.lasts)
 
     def rests(self, side: int, part: Part, wait: float) -> bool:
-        """Return whether a body that reaches a stop in a part would return to it within a step."""
+        """Return whether a body that reaches a stop in a part would return to it within a step.
+
+        One without a rebound stays, until it is released.
+        """
+        if not self._restitution[side]:
+            return True
         place, velocity = part.state(wait)
         comes = self._rate(place, velocity)[side]
         pressed = self._rate(place, part.acceleration)[side]
@@ -111,6 +126,7 @@ class Bounces:
 
     def bounce(self, side: int, t: float, *, rests: bool) -> Jolt:
         """Let a body that reaches a side at a time t [s] bounce off it, or stay if it rests."""
+        self._release_slack()
         self._hold(side)
 
         def impact() -> Jolt:

@@ -9,10 +9,11 @@ CLOSE = 1e-13
 TRIES = 60
 
 
-def root(function: Callable[[float], float], until: float) -> float:
+def root(function: Callable[[float], float], until: float, close: float = CLOSE) -> float:
     """Return a root of a falling function between 0 and `until`; inf if it is still positive there.
 
-    It uses the Illinois method, false position with the value at a retained end halved.
+    Absolute values up to `close` count as 0. It uses the Illinois method, false position with the
+    value at a retained end halved.
     """
     low, high = 0.0, until
     above, below = function(low), function(high)
@@ -23,7 +24,7 @@ def root(function: Callable[[float], float], until: float) -> float:
     for _ in range(TRIES):
         middle = (low * below - high * above) / (below - above)
         now = function(middle)
-        if abs(now) <= CLOSE:
+        if abs(now) <= close:
             return middle
         if now > 0:
             low, above, below = middle, now, below / 2

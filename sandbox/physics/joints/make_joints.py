@@ -12,7 +12,7 @@ from typing import cast
 import numpy as np
 import pymunk
 
-from sandbox.model.acting_events import bouncing, tied
+from sandbox.model.acting_events import beside_bouncing, bouncing, tied
 from sandbox.model.base import Model
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joint_ends_at_start import span
@@ -105,6 +105,8 @@ class _Assembly:
             weld=self._weld_where_they_are,
         )
         self._open = tied(level.events)
+        self._bounce = [name for name, _ in bouncing(level.joints)]
+        self._bounce += beside_bouncing(level.joints, level.events)
         if self._open:
             self._joints.latches = Latches(self._open, self._tie)
         self._origin = _origin(bodies)
@@ -117,7 +119,7 @@ class _Assembly:
         joints, level = self._joints, self._level
         self._take_own()
         rows, others = self._take_ours()
-        later = bool(self._open - joints.springs.keys()) or any(bouncing(level.joints))
+        later = bool(self._open - joints.springs.keys()) or bool(self._bounce)
         if rows or others or later or level.effects.sticking or direct:
             inverse_mass = self._inverse_mass[:, 0], self._inverse_mass[:, 2]
             refuse_too_many((*rows, *others), inverse_mass[0])
@@ -129,10 +131,9 @@ class _Assembly:
         return joints
 
     def _elastic(self, batch: Batch) -> JointSystem | None:
-        """Return the sides of elastic stops; None if there are none."""
-        level, start = self._level, _coordinates(self._bodies, self._origin)
-        names = [name for name, _ in bouncing(level.joints)]
-        made = [self._equations.of(name, self._solved(name), start) for name in names]
+        """Return the sides of elastic stops, and what is beside them; None if there are none."""
+        start = _coordinates(self._bodies, self._origin)
+        made = [self._equations.of(name, self._solved(name), start) for name in self._bounce]
         rows = [row for some, _ in made for row in some]
         others = [other for _, some in made for other in some]
         if not (rows or others):
@@ -205,7 +206,7 @@ class _Assembly:
                 joints.springs[name] = make_spring(spec, joints.paths[name], lengths[name], values)
             elif isinstance(spec, Pulley) and is_alone(name, level):
                 joints.strings[name] = make_string(name, spec, self._bodies, lengths[name], values)
-            elif name not in self._open and getattr(spec, "restitution", None) is None:
+            elif name not in self._open and name not in self._bounce:
                 new_rows, new_others = self._equations.of(name, spec, start)
                 rows += new_rows
                 others += new_others

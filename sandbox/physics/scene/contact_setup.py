@@ -6,7 +6,7 @@ import pymunk
 
 from sandbox.model.excluded_pairs import apart
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping, is_direct
+from sandbox.model.level import Level, Stepping, is_direct, may_catch
 from sandbox.physics.contacts.coefficients.solver_coefficients import (
     add_skin,
     correct_contacts,
@@ -130,9 +130,13 @@ def _skin(*, ours: bool, direct: bool) -> float:
 
 
 def make_direct(made: BuildContext, pairs: Pairs) -> "DirectSolver | None":
-    """Make the direct solver of contacts and exact joints, if the level uses it."""
+    """Make the direct solver of contacts and exact joints, if the level uses it.
+
+    It also locates one-sided joints that catch, in levels without contacts.
+    """
     level, stepping = made.level, made.stepping
-    if stepping.is_stock or not is_direct(level, stepping):
+    direct = not stepping.is_stock and is_direct(level, stepping)
+    if not (direct or may_catch(level, stepping)):
         return None
     from sandbox.physics.contacts.detection.contact_queries import Query
     from sandbox.physics.contacts.direct.rows.contact_properties import surfaces_of

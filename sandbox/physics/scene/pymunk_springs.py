@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pymunk
 
-from sandbox.model.level import Stepping
+from sandbox.model.level import Stepping, may_catch
 from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.variable_mass import MassFlows, Share
@@ -44,13 +44,14 @@ def _reach(stepping: Stepping, *, held: bool) -> float:
 def hooked_springs(made: BuildContext, share: Share) -> Iterator[SpringForce]:
     """Add plain springs to pymunk's space, and yield all others.
 
-    pymunk applies none in a level with contacts, where forces other than those of contacts must be
-    known; none where masses change, as these are known only in the hook; and none in schemes other
-    than leapfrog.
+    pymunk applies none in a level with contacts, or with one-sided joints that may catch, where
+    other forces must be known; none where masses change, as these are known only in the hook; and
+    none in schemes other than leapfrog.
     """
     level, bodies = made.level, list(made.bodies.values())
     space, flows = bodies[0].space, isinstance(share, MassFlows)
-    simple = made.stepping.scheme == "leapfrog" and not (level.effects.contact or flows)
+    known = level.effects.contact or may_catch(level, made.stepping)
+    simple = made.stepping.scheme == "leapfrog" and not (known or flows)
     moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     for spring in made.joints.springs.values():
         held = any(end.body is not None and moves[end.body] for end in spring.ends)

@@ -12,7 +12,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping, is_direct
+from sandbox.model.level import Level, Stepping, is_direct, may_catch
 from sandbox.physics.engine.bodies import make_body
 from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.forces.declared_laws import gravity, laws, mass_share
@@ -213,7 +213,7 @@ def _make_switches(level: Level, joints: Joints) -> "Switches":
 
 def _solvers(made: BuildContext, pairs: Pairs) -> "tuple[DirectSolver | None, Sequential | None]":
     """Make the solvers of contacts and of impacts in sequence; None where pymunk solves them."""
-    if not made.level.effects.contact:
+    if not (made.level.effects.contact or may_catch(made.level, made.stepping)):
         return None, None
     from sandbox.physics.scene.contact_setup import make_direct, make_sequence
 

@@ -27,9 +27,11 @@ from sandbox.physics.contacts.direct.complementarity.constraint_rows import Acti
 from sandbox.physics.contacts.direct.drifts.drift_parts import CutDrift, DriftPart
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
+from sandbox.physics.contacts.direct.drifts.joint_catches import Pulls, caught
 from sandbox.physics.contacts.direct.drifts.landing_drifts import DriftCutter
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
+from sandbox.physics.contacts.direct.kicks.breaking_loose import loosened
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult, Stage
 from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, take
@@ -69,13 +71,13 @@ class DirectSolver:
         self._batch, self._joints, self._dt = batch, joints, dt
         self._moves: Booleans = inertia[:, 0] > 0
         self._fixed, self._none = np.flatnonzero(~self._moves), np.zeros(len(inertia), dtype=bool)
+        self._meets = any(body.shapes for body in query.bodies)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
-        self._lead, self._starts = 0.0, True
-        self._until = 0.0  # s, the end of the drift that follows
-        self._known = WarmStart()
+        self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
+        self._known, self._pulls = WarmStart(), Pulls()
         self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
         self._speculative = SpeculativeContacts(query, surfaces, self._moves)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
@@ -107,8 +109,7 @@ class DirectSolver:
 
     def velocity(self) -> Array:
         """Return the velocities before a kick: (n, 3) [m/s, rad/s]."""
-        divided = self.drifts.divided
-        return divided.begun if divided else self._batch.velocity()
+        return self.drifts.divided.begun if self.drifts.divided else self._batch.velocity()
 
     def solve(self, until: float) -> None:
         """Find the impulses of a kick, and set the velocities after it.
@@ -116,7 +117,8 @@ class DirectSolver:
         The drift that follows ends at the time `until` [s]. Raises `JointFailure` or `NoForces` if
         there are no such impulses.
         """
-        self._build.find_contacts(self._moved)
+        if self._meets:
+            self._build.find_contacts(lambda: np.abs(self._begun) * self._dt)
         self._pushed, self._until, self._taken = None, until, None
         self.last, self.stages = self._calm, ()
         self.drifts.begin(self._build.contacts)
@@ -128,11 +130,19 @@ class DirectSolver:
             self._solved = None
             self._solve_joints(until)
         divided = self.drifts.divided
+        self._pulls.note(self._joints)
         landed = None if divided else self._land(until)
+        if self._meets:
+            self._note_change(landed)
+        if np.count_nonzero(pushed := self.drifts.landings.pushed):
+            self.last = self.last._replace(impulse=pushed)
+
+    def _note_change(self, landed: CutDrift | None) -> None:
+        """Note how velocities change in a step, from the drift after the kick if that is cut."""
+        divided = self.drifts.divided
+        after = divided.left if divided else self._batch.velocity()
         if landed:
             after = landed.whole.moved[self._order]
-        else:
-            after = divided.left if divided else self._batch.velocity()
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
@@ -140,12 +150,6 @@ class DirectSolver:
         if landed:
             onwards = landed.onwards * self._dt
             self._change = np.where(landed.reached[:, None], onwards, self._change)
-        if np.count_nonzero(pushed := self.drifts.landings.pushed):
-            self.last = self.last._replace(impulse=pushed)
-
-    def _moved(self) -> Array:
-        """Return the sizes of the bodies' displacements in the last step: (n, 3) [m, rad]."""
-        return np.abs(self._begun) * self._dt
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
@@ -201,8 +205,10 @@ class DirectSolver:
             except (JointFailure, NoForces) as last:  # a joint knows more in a whole step
                 raise (whole if isinstance(whole, JointFailure) else last) from None
             return
-        taken = self._closed(taken, start)
-        self._keep(taken, start)
+        smooth = self._is_whole and not taken.impacts
+        loose = loosened(kick, taken.active.slip, self._known.last_two) if smooth else None
+        taken = take(loose, start, self._known) if loose else taken
+        self._keep(self._closed(taken, start), start)
 
     def _keep(self, taken: KickResult, start: KickStart) -> None:
         """Set the velocities after a kick, and remember it."""
@@ -239,8 +245,7 @@ class DirectSolver:
     @property
     def _is_whole(self) -> bool:
         """Whether this kick and the drift after it are as long as a step."""
-        joints = self._joints
-        return not self._starts and joints.kick == joints.drift == self._dt
+        return not self._starts and self._joints.kick == self._joints.drift == self._dt
 
     def _divide(self, kick: Kick, start: KickStart) -> None:
         """Take the drift after a kick in parts, and set its mean velocities."""
@@ -259,7 +264,8 @@ class DirectSolver:
 
         Crowds are stopped, and what is left is looked at again, without those that are `stopped`.
         """
-        if not self._locates:
+        pulls = self._pulls.begins
+        if not (self._locates and (self._meets or pulls)):
             return None
         taken, look = self._taken, self._speculative
         place, motion = taken.coordinates if taken else self._joints.coordinates()
@@ -268,10 +274,11 @@ class DirectSolver:
             taken.strikes or taken.flat or look.ends.passing(taken.kick, way, taken.forces)
         )
         lands = ends or look.approaching.near(self._build.contacts, place, way)
-        if not (lands or (taken and taken.slides)):
+        if not (lands or pulls or (taken and taken.slides)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
-        if not (lands or len(slip_ends(whole, laws))):
+        catches = pulls and caught(whole).any()
+        if not (lands or catches or len(slip_ends(whole, laws))):
             return None
         driven, calm = self._driven(), self._none if stopped is None else stopped
         landings = DriftCutter(look, self._build, laws, until, driven=driven, stopped=calm)

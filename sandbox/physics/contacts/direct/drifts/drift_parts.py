@@ -118,7 +118,12 @@ def around(kick: Kick, pairs: Sequence[Pair]) -> Booleans:
     """Return which bodies are in the islands of some pairs: (n,)."""
     reached = np.zeros(kick.acts.shape[1], dtype=bool)
     reached[[body for pair in pairs for body in pair]] = True
-    reached &= moving(kick)
+    return linked(kick, reached)
+
+
+def linked(kick: Kick, some: Booleans) -> Booleans:
+    """Return which bodies are in the islands of some bodies, (n,): (n,)."""
+    reached = some & moving(kick)
     for rows, _, _ in kick.layout.islands:
         bodies = kick.acts[rows].any(axis=0)
         if (bodies & reached).any():

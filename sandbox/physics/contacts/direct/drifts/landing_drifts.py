@@ -11,29 +11,36 @@ A drift is also cut where a contact passes the end of a side: a disc that rolls 
 from there, and not from where the step ends; see `support_ends`. Nothing is struck there, but other
 contacts act from there on.
 
-It is cut where friction ends a slip as well; see `slip_ends`. From there on it holds, if it can.
+It is cut where friction ends a slip as well; see `slip_ends`. From there on it holds, if it can. So
+it is where a rope becomes taut or a stop is reached, which is an impact; see `joint_catches`.
 
 Bodies that take no part in a landing go on as they were.
 """
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import replace
+from math import inf
 
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
 from sandbox.physics.contacts.direct.drifts.drift_parts import (
     DriftPart,
     around,
     concerned,
+    linked,
     moving,
-    others_of,
 )
 from sandbox.physics.contacts.direct.drifts.first_landing import until_first
-from sandbox.physics.contacts.direct.drifts.first_meeting import SOON, FirstMeeting, MeetingFinder
+from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
+from sandbox.physics.contacts.direct.drifts.joint_catches import (
+    catch_time,
+    caught,
+    loose,
+    until_caught,
+)
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
+from sandbox.physics.contacts.direct.drifts.part_solver import PartSolver
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import crowd
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
@@ -43,19 +50,13 @@ from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import recalled
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans
-from sandbox.physics.joints.exact.constraint_interface import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 SHORT = 0.1
 """The share of a drift below which the forces of its last part are solved for a whole one: those of
 a short part follow from small differences of positions, and their rounding is traced far back."""
-
-BRIEF = 1e-3
-"""The share of a drift for which the forces of the whole one will do where none are found: rounding
-of gaps, over so short a time, may ask for velocities that exclude each other."""
 
 LEAST = 0.06
 """The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
@@ -63,6 +64,9 @@ that turn far in it would gain energy on its curved path, by the third power of 
 
 MOST = 16
 """The most landings of one drift that are located. With more of them all bodies are a crowd."""
+
+CATCHES = 8
+"""The most times that one-sided joints catch in a drift that are located."""
 
 STOPS = 2
 """The most ends of slips that are located in a drift."""
@@ -75,7 +79,7 @@ class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more
     """Somebody takes part in a landing who should have been followed from the first one on."""
 
 
-class DriftCutter:
+class DriftCutter(PartSolver):
     """Cuts a drift where bodies land in it; N bodies with the plane.
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
@@ -96,12 +100,11 @@ class DriftCutter:
         driven: bool,
         stopped: Booleans,
     ) -> None:
-        self._speculative, self._build = speculative, build
-        self._laws, self._until = laws, until
-        self._driven, self._stopped = driven, stopped
+        super().__init__(laws, until, driven=driven)
+        self._speculative, self._build, self._stopped = speculative, build, stopped
         self._meetings = MeetingFinder(speculative, laws)
         count = len(laws) // 3 - 1
-        self._order, self._anew = order(count), True
+        self._anew = True
         self._whole: DriftPart  # the drift
         self.crowd: Booleans = np.zeros(count, dtype=bool)
         self._begin(np.zeros(count, dtype=bool))
@@ -126,7 +129,7 @@ class DriftCutter:
     def _begin(self, reached: Booleans) -> None:
         """Begin a drift in whose landings some bodies, (n,), are known to take part."""
         self.reached = reached
-        self._stops = 0  # the ends of slips that were located
+        self._stops = self._catches = 0  # the ends of slips, and the catches, that were located
         self._early: Booleans | None = None  # who takes part from the first landing on
         self._near: list[Pair] = []  # who might take part
         self.record = LandingRecord(len(reached))
@@ -169,23 +172,30 @@ class DriftCutter:
     def _cut(self, part: DriftPart) -> tuple[DriftPart, DriftPart] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
         kick, known = part.kick, (self.reached, self._early)
-        stopped = self._until_it_stops(part)
+        free = self._loose(part)
+        stopped = self._until_it_stops(free)
         kick.joints.time(part.drift, part.drift)
-        seen = stopped or part
+        seen = stopped or free
         ahead = self._meetings.ahead(seen, self._is_calm)
         self._near += ahead.pairs
         met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
-        sunk = self._sunk(seen)
-        if not (met or stopped or sunk) or (met and self._is_crowd(part, met)):
+        catch = inf if free is part else catch_time(seen, self._laws, self._until, seen.drift)
+        met, catch = (None, catch) if met is None or catch < met.time else (met, inf)
+        sunk = [] if catch < inf else self._sunk(seen)
+        if not (met or stopped or sunk or catch < inf) or (met and self._is_crowd(part, met)):
+            self.reached = known[0]
             return None
         self._take_in(around(kick, [*(met.pairs if met else ()), *sunk]))
         self._early = self.reached if self._early is None else self._early
         try:
             if met:
                 seen, met = until_first(seen, met, self._meetings, self._shortened)
+            elif catch < inf:
+                self._catches += 1
+                seen = until_caught(free, catch, self._laws, self._until, self._shortened)
             elif stopped:
                 self._stops += 1
-            seen, met = self._kept(part, seen, met)
+            seen, met = self._kept(free, seen, met)
             left = part.drift - seen.drift
             if met and met.passing:
                 return seen, self._pass(seen, left, met, ahead.pairs)
@@ -193,6 +203,19 @@ class DriftCutter:
         except (JointFailure, NoForces):
             self.reached, self._early = known  # it is found where the drift ends
             return None
+
+    def _loose(self, part: DriftPart) -> DriftPart:
+        """Return a part in which no slack joint acts, if one catches in it; else the part."""
+        catches = caught(part)
+        if self._catches == CATCHES or not np.count_nonzero(catches):
+            return part
+        known, held = self.reached, part.kick.acts[part.kick.layout.joints][catches]
+        self.reached = known | linked(part.kick, np.asarray(held.any(axis=0)))
+        try:
+            return self._solved(loose(part), part.drift, part.lasts)
+        except (JointFailure, NoForces):
+            self.reached = known
+            return part
 
     def _until_it_stops(self, part: DriftPart) -> DriftPart | None:
         """Return a part up to where its first slip ends; None if none does."""
@@ -237,19 +260,6 @@ class DriftCutter:
             shorter, met = self._shortened(part, shorter.drift / 2, shorter), None
         return shorter, met
 
-    def _shortened(self, part: DriftPart, drift: float, near: DriftPart) -> DriftPart:
-        """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
-        lasts = part.lasts - (part.drift - drift) / 2
-        if drift >= SOON * part.drift:
-            similar = part._replace(forces=near.forces, active=near.active)
-            try:
-                return self._solved(similar, drift, lasts)
-            except NoForces:
-                if drift > BRIEF * part.drift:
-                    raise
-        moved = part.begun + lasts * (self._laws + part.pulls)
-        return part._replace(drift=drift, lasts=lasts, moved=moved)
-
     def _land(
         self, shorter: DriftPart, left: float, met: FirstMeeting | None, near: Sequence[Pair]
     ) -> DriftPart:
@@ -267,7 +277,10 @@ class DriftCutter:
         self._take_in(around(kick, down.and_(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
-        begun, stages = self._struck(part, struck) if met else self._arrived(part, struck)[1:]
+        catching = shorter.kick.slack & ~kick.slack
+        hits = met or catching.any()
+        arrives = self._struck if hits else self._arrived
+        begun, stages = arrives(part, struck, catching)[-2:]
         after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
         return self._closed(self._solved(after, left, left / 2))
 
@@ -289,61 +302,21 @@ class DriftCutter:
         part = DriftPart(kick, left, left, begun, left / 2, forces, active, begun, stages)
         return self._closed(self._solved(part, left, left / 2))
 
-    def _arrived(self, part: DriftPart, struck: Booleans) -> tuple[Kick, Array, tuple[Stage, ...]]:
-        """Return the velocities at the end of a part, before any impact, and the stage up to there.
-
-        See `_struck`; also the rows of bodies that are `reached`.
-        """
-        mine, others, drive = others_of(part, self._laws, self.reached)
-        some = replace(part.kick, layout=part.kick.layout.around(mine))
-        half = part.drift / 2
-        came, to_it = coupled_impacts.come(some, part.moved + half * drive, struck, part.active)
-        return some, came, (Stage.of(part.kick, half, came[self._order], to_it + half * others),)
-
-    def _struck(self, part: DriftPart, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
+    def _struck(
+        self, part: DriftPart, struck: Booleans, catching: Booleans
+    ) -> tuple[Array, tuple[Stage, ...]]:
         """Return the velocities after the impact at the end of a part, and its stages.
 
-        The part already has the rows there; `struck` tells which of its gaps land, (k,).
+        The part already has the rows there; `struck` tells which of its gaps land, (k,), and
+        `catching` which of its joints catch, (m,).
         """
-        some, came, before = self._arrived(part, struck)
+        some, came, before = self._arrived(part, struck, catching)
         begun, pushes, pairs = coupled_impacts.bounce(some, came, struck, part.active)
         stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
         time = self._whole.drift - part.left + part.drift
         self.record.note(pairs, time, stages[1].contacts, landed)
         return begun, stages
-
-    def _solved(self, part: DriftPart, drift: float, lasts: float) -> DriftPart:
-        """Return a part solved for given lengths of its drift and of its kick [s]."""
-        joints, start = part.kick.joints, self._until - part.left
-        joints.time(drift, drift)
-        kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
-        mine, _, drive = others_of(part, self._laws, self.reached)
-        motion = part.begun + lasts * drive
-        part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
-        if not mine.any():
-            return part
-        slips = mine[kick.layout.slips]
-        some = replace(kick, layout=kick.layout.around(mine))
-        guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
-        impulse, moved, held, flat = hold(
-            some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
-        )
-        leaning = some.leaning(moved, impulse)
-        if leaning is not None:
-            found = impulse, held
-            impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
-            kick = replace(leaning, layout=kick.layout)
-        return part._replace(
-            kick=kick,
-            forces=np.where(mine, impulse / lasts, part.forces),
-            active=Active(
-                np.where(mine, held.on, part.active.on),
-                np.where(slips, held.slip, part.active.slip),
-            ),
-            moved=moved,
-            flat=flat,
-        )
 
     def _closed(self, part: DriftPart) -> DriftPart:
         """Return a part in which corners have come down; see `closed`."""

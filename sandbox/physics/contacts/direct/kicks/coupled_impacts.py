@@ -12,8 +12,7 @@ from sandbox.physics.contacts.direct.solving.newton import solve_rows
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.impacts.pile_impacts import Pile
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.joints.exact.constraint_interface import QUADRATIC, angles, order, planes
-from sandbox.physics.joints.exact.shake import TAUT
+from sandbox.physics.joints.exact.constraint_interface import angles, order, planes
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 ROUNDING = 1e-9
@@ -66,16 +65,20 @@ def _rounding(kick: Kick, swift: Array) -> Array:
 
 
 def come(
-    kick: Kick, motion: Array, strikes: Booleans, held: Active | None = None
+    kick: Kick,
+    motion: Array,
+    strikes: Booleans,
+    held: Active | None = None,
+    catching: Booleans | None = None,
 ) -> tuple[Array, Array]:
     """Return the velocities at the step before its impacts, and the impulses up to then.
 
-    `motion`, (3 N,), are the velocities without impulses [m/s, rad/s], and `strikes`, (k,), tells
-    which gaps close. `held` are the rows that held in the kick until there, if they are known; else
-    see `impulses`.
+    `motion`, (3 N,), are the velocities without impulses [m/s, rad/s]. `strikes`, (k,), tells which
+    gaps close, and `catching`, (m,), which joints catch; None for those just added. `held` are the
+    rows that held in the kick until there, if they are known; else see `impulses`.
     """
     out = np.zeros(len(kick.response), dtype=bool)
-    out[kick.layout.joints] = kick.joints.added
+    out[kick.layout.joints] = kick.joints.added if catching is None else catching
     out[kick.layout.gaps] = strikes | kick.ahead
     impulse = impulses(kick, motion, np.zeros(len(kick.response)), out, held)
     return motion + impulse @ kick.response, impulse
@@ -93,7 +96,7 @@ def bounce(
     `came`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `held` see
     `come`. Raises `JointFailure` or `NoForces` if there are no impulses even without a rebound.
     """
-    if kick.layout.in_sequence:
+    if kick.layout.in_sequence and np.count_nonzero(strikes):
         impulse, met = _in_sequence(kick, came)
     else:
         impulse, met = _together(kick, came, strikes, held), [np.flatnonzero(strikes)]
@@ -220,9 +223,7 @@ def impulses(
     rate[joints] += kick.joint_rates()
     rate[layout.slips] += kick.runs
     slack = np.zeros(len(rate), dtype=bool)
-    slack[joints] = kick.joints.pulls_only & (
-        kick.here.total[joints] + kick.before > TAUT + QUADRATIC
-    )
+    slack[joints] = kick.slack
     asked = layout.problem
     problem = asked._replace(free=asked.free & ~out, pushes=asked.pushes & ~out & ~slack)
     on = problem.free | (problem.pushes & (rate < 0 if held is None else held.on))

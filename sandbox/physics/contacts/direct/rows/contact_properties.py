@@ -42,7 +42,7 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
         i, j = names.index(a), names.index(b)
         static[i, j] = static[j, i] = pair.static
     contact = level.effects.contact
-    assert contact
+    correction, slop = (contact.correction, contact.slop) if contact else (None, None)
     restitution = pair_coefficients(level, values, "restitution")
     return Surfaces(
         Figures([_figure(body, values) for body in level.bodies.values()]),
@@ -50,8 +50,8 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
         static,
         restitution,
         surfaces(bodies),
-        CORRECTION if contact.correction is None else contact.correction(values),
-        SLOP if contact.slop is None else contact.slop(values),
+        CORRECTION if correction is None else correction(values),
+        SLOP if slop is None else slop(values),
         _left_to_it(level),
         in_sequence=_in_sequence(level),
     )

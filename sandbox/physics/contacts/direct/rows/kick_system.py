@@ -11,13 +11,14 @@ from sandbox.physics.contacts.direct.rows.gap_functions import Features, feature
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import (
+    QUADRATIC,
     Coordinates,
     Rows,
     angles,
     blur,
     planes,
 )
-from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
 
 PROUD = 1e-9
 """m, the overlap with which a gap closes within a drift: exactly 0 would not count as contact."""
@@ -209,6 +210,12 @@ class Kick:
     def ahead(self) -> Booleans:
         """Which gaps are still open, and close within the drift: (k,)."""
         return np.asarray(self.layout.touching.pair >= len(self.contacts.bodies) - self.closes)
+
+    @property
+    def slack(self) -> Booleans:
+        """Which one-sided joints are slack, or not reached: (m,)."""
+        gap = self.here.total[self.layout.joints] + self.before
+        return np.asarray(self.joints.pulls_only & (gap > TAUT + QUADRATIC))
 
     @cached_property
     def acts(self) -> Booleans:

@@ -100,6 +100,13 @@ class Layout:
             parts = [_part(problem, one.rows, one.slips[:0]) for one in self.islands]
         return replace(self, problem=problem, islands=parts)
 
+    def rubbing(self, slips: Array) -> "Layout":
+        """Return the same rows with other coefficients of kinetic friction: (f,)."""
+        friction = replace(self.problem.friction, slips=slips)
+        problem = self.problem._replace(friction=friction)
+        parts = [_part(problem, one.rows, one.slips) for one in self.islands]
+        return replace(self, problem=problem, islands=parts)
+
     @cached_property
     def tied(self) -> Integers:
         """The rows of the gaps between bodies that share a joint, and of such joints."""

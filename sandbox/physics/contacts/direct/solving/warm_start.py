@@ -85,6 +85,11 @@ class WarmStart:
         slip = np.where(presses, slip, 0)
         return impulse, Active(np.concatenate((taut, on, presses & (slip == 0))), slip)
 
+    @property
+    def last_two(self) -> tuple[LastKick, Array] | None:
+        """The last kick, and the forces before it, (r,) [N]; None if other rows held then."""
+        return (self._known, self._past[1]) if self._known and len(self._past) > 1 else None
+
     def pressed(self, kick: Kick) -> Booleans:
         """Return which gaps had a normal force in the last kick: (k,)."""
         if known := self._recalled(kick):

@@ -1,0 +1,104 @@
+"""One-sided joints that catch within a drift: ropes that become taut, stops that are reached.
+
+Until then such a joint does not act. There it stops, together with all other joints and contacts,
+whatever would go on beyond it; from there on it may pull. In the kick before the drift alone, where
+directions are others, the joint would take the wrong impulse.
+"""
+
+from dataclasses import replace
+from functools import partial
+from math import inf
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.contacts.direct.drifts.first_landing import REFINED, Shortened
+from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.geometry.roots import root, secant
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+EXACT = 1e-13
+"""The share of a drift within which the time of a catch must agree with that for which the kick is
+solved."""
+
+CLOSE = 1e-15
+"""m or rad, the distance from a joint's bound at which it catches. The rest of the drift makes up
+for it, perhaps in a short time, so it is rounding."""
+
+
+class Pulls:
+    """Remembers which one-sided joints pull; `begins` tells whether one began to in this kick."""
+
+    def __init__(self) -> None:
+        self._known: Booleans = np.zeros(0, dtype=bool)
+        self.begins = False
+
+    def note(self, joints: ExactJoints) -> None:
+        """Note the forces of the joints in a kick."""
+        pulls, known = joints.pulls_only & (joints.tension > 0), self._known
+        new = pulls & ~known if len(known) == len(pulls) else pulls
+        self.begins, self._known = bool(np.count_nonzero(new)), pulls
+
+
+def caught(part: DriftPart) -> Booleans:
+    """Return which one-sided joints catch within a part of a drift: (m,)."""
+    return np.asarray(part.kick.slack & part.active.on[part.kick.layout.joints])
+
+
+def loose(part: DriftPart) -> DriftPart:
+    """Return a part in which one-sided joints do not act that are slack at its start."""
+    kick, layout, active = part.kick, part.kick.layout, part.active
+    acts = np.ones(len(part.forces), dtype=bool)
+    acts[layout.joints] = ~kick.slack
+    problem = layout.problem._replace(pushes=layout.problem.pushes & acts)
+    return part._replace(
+        kick=replace(kick, layout=layout.asking(problem)),
+        forces=np.where(acts, part.forces, 0.0),
+        active=active._replace(on=active.on & acts),
+    )
+
+
+def catch_time(part: DriftPart, laws: Array, until: float, longest: float) -> float:
+    """Return when the first slack joint catches on the parabolas of a part [s]; inf if none does.
+
+    `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]. The whole drift
+    ends at the time `until`; of this one, a time `longest` is searched [s].
+    """
+    joints, place, start = part.kick.joints, part.kick.place.values, until - part.left
+    total = laws + part.pulls
+    begun = part.moved - total * (part.drift / 2)
+
+    def gaps(t: float) -> Array:
+        there = joints.equations.glance(Coordinates(place + t * (begun + total * (t / 2))))
+        return np.asarray(joints.lengths(start + t) - there.total)
+
+    def gap(row: int, t: float) -> float:
+        return float(gaps(t)[row])
+
+    rows = np.flatnonzero(part.kick.slack & (gaps(longest) < 0))
+    times = (root(partial(gap, row), longest, CLOSE) for row in rows.tolist())
+    first = min(times, default=inf)
+    return first if first <= longest * (1 - SOON) else inf
+
+
+def until_caught(
+    part: DriftPart, time: float, laws: Array, until: float, shortened: Shortened
+) -> DriftPart:
+    """Return a part up to where its first joint catches, at about a time [s].
+
+    `part` is loose; for the other parameters see `catch_time`. The time depends on the length for
+    which the part is solved, as in `first_landing`.
+    """
+    shorter, known = part, (part.drift, part.drift - time)
+    for _ in range(REFINED):
+        shorter = shortened(part, time, shorter)
+        again = catch_time(shorter, laws, until, part.drift)
+        if again == inf or abs(again - time) <= EXACT * part.drift:
+            break
+        tried = time, time - again
+        time = secant(known, tried, again, part.drift)
+        known = tried
+    return shorter

@@ -1,0 +1,95 @@
+"""The motion in a part of a drift, for any length of it, and up to its end."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart, others_of
+from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
+from sandbox.physics.contacts.direct.kicks import coupled_impacts
+from sandbox.physics.contacts.direct.kicks.kick_parts import Stage
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.joints.exact.constraint_interface import order
+from sandbox.physics.state.errors import NoForces
+
+BRIEF = 1e-3
+"""The share of a drift for which the forces of the whole one will do where none are found: rounding
+of gaps, over so short a time, may ask for velocities that exclude each other."""
+
+
+class PartSolver:
+    """Solves parts of a drift; N bodies with the plane.
+
+    `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
+    at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
+    energy. `reached`, (n,), tells which bodies move in parts; all others go on as they were.
+    """
+
+    def __init__(self, laws: Array, until: float, *, driven: bool) -> None:
+        self._laws, self._until, self._driven = laws, until, driven
+        count = len(laws) // 3 - 1
+        self._order = order(count)
+        self.reached: Booleans = np.zeros(count, dtype=bool)
+
+    def _solved(self, part: DriftPart, drift: float, lasts: float) -> DriftPart:
+        """Return a part solved for given lengths of its drift and of its kick [s]."""
+        joints, start = part.kick.joints, self._until - part.left
+        joints.time(drift, drift)
+        kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
+        mine, _, drive = others_of(part, self._laws, self.reached)
+        motion = part.begun + lasts * drive
+        part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
+        if not mine.any():
+            return part
+        slips = mine[kick.layout.slips]
+        some = replace(kick, layout=kick.layout.around(mine))
+        guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
+        impulse, moved, held, flat = hold(
+            some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
+        )
+        leaning = some.leaning(moved, impulse)
+        if leaning is not None:
+            found = impulse, held
+            impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
+            kick = replace(leaning, layout=kick.layout)
+        return part._replace(
+            kick=kick,
+            forces=np.where(mine, impulse / lasts, part.forces),
+            active=Active(
+                np.where(mine, held.on, part.active.on),
+                np.where(slips, held.slip, part.active.slip),
+            ),
+            moved=moved,
+            flat=flat,
+        )
+
+    def _shortened(self, part: DriftPart, drift: float, near: DriftPart) -> DriftPart:
+        """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
+        lasts = part.lasts - (part.drift - drift) / 2
+        if drift >= SOON * part.drift:
+            similar = part._replace(forces=near.forces, active=near.active)
+            try:
+                return self._solved(similar, drift, lasts)
+            except NoForces:
+                if drift > BRIEF * part.drift:
+                    raise
+        moved = part.begun + lasts * (self._laws + part.pulls)
+        return part._replace(drift=drift, lasts=lasts, moved=moved)
+
+    def _arrived(
+        self, part: DriftPart, struck: Booleans, catching: Booleans | None = None
+    ) -> tuple[Kick, Array, tuple[Stage, ...]]:
+        """Return the velocities at the end of a part, before any impact, and the stage up to there.
+
+        See `_struck`; also the rows of bodies that are `reached`.
+        """
+        mine, others, drive = others_of(part, self._laws, self.reached)
+        some = replace(part.kick, layout=part.kick.layout.around(mine))
+        half = part.drift / 2
+        motion = part.moved + half * drive
+        came, to_it = coupled_impacts.come(some, motion, struck, part.active, catching)
+        return some, came, (Stage.of(part.kick, half, came[self._order], to_it + half * others),)
