@@ -74,6 +74,7 @@ class DirectSolver:
         self._calm = ImpactOutcome.none(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._starts = 0.0, True
+        self._crowd: Booleans | None = None  # that was stopped in this kick
         self._until = 0.0  # s, the end of the drift that follows
         self._known = WarmStart()
         self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
@@ -99,8 +100,10 @@ class DirectSolver:
         `acceleration`, (n, 3), is by gravity and force laws [m/s², rad/s²]; `start` tells whether
         this is the first kick, which begins at its step.
         """
-        if start and self._starts:  # it is repeated
+        if start and self._starts:  # it is repeated, and its crowd is known
             self.drifts.forget()
+        else:
+            self._crowd = None
         self._begun, self._acceleration = self.velocity(), acceleration
         self._starts = start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
@@ -174,7 +177,7 @@ class DirectSolver:
         """Forget the last kick and the drift after it."""
         self._known.forget()
         self.drifts.forget()
-        self._change = self._calm.jump
+        self._change, self._crowd = self._calm.jump, None
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints without contacts; ropes that fail so are solved as contacts are."""
@@ -274,11 +277,15 @@ class DirectSolver:
         if not (lands or len(slip_ends(whole, laws))):
             return None
         driven, calm = self._driven(), self._none if stopped is None else stopped
+        if stopped is None and self._crowd is not None:
+            self._stop(whole.kick, self._crowd)
+            return self._land(until, self._crowd)
         landings = DriftCutter(look, self._build, laws, until, driven=driven, stopped=calm)
         parts = landings.follow(whole)
         if landings.crowd.any():
-            self._stop(whole.kick, crowd := landings.crowd | calm)
-            return None if calm[self._moves].all() else self._land(until, crowd)
+            self._crowd = landings.crowd | calm
+            self._stop(whole.kick, self._crowd)
+            return None if calm[self._moves].all() else self._land(until, self._crowd)
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
