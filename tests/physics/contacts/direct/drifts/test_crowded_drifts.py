@@ -197,7 +197,9 @@ def test_a_crowd_that_bounces_on_a_floor_is_known_early(monkeypatch: pytest.Monk
 
     monkeypatch.setattr(DriftCutter, "_land", counted)
     rubs: Spec = {"friction": 1, "restitution": 1}
-    bodies = {"floor": fixed({"type": "segment", "start": [-50, 0], "end": [50, 0]}, (0, 0), **rubs)}
+    bodies = {
+        "floor": fixed({"type": "segment", "start": [-50, 0], "end": [50, 0]}, (0, 0), **rubs)
+    }
     for i in range(49):
         at = 0.6 * (i % 7), 0.25 + 0.6 * (i // 7)
         velocity = [i % 7 - 3, -20]
