@@ -9,6 +9,7 @@ from time import perf_counter
 
 import pygame
 
+from sandbox.app.home.draft_strip import notice, unsaved
 from sandbox.app.malloc_tuning import give_back_large_blocks
 from sandbox.app.window import Window
 
@@ -82,6 +83,8 @@ def _opened(
         window.open_level(level or FIRST, settings, accuracy)
     if level is None:
         window.do("home")
+    elif left := unsaved():
+        window.banner.tell(notice(left[0]), lasting=True)
     if racing:
         window.do("race")
     try:

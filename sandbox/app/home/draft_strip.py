@@ -32,8 +32,7 @@ class Strip:
 
     def look(self) -> None:
         """Look for what windows that have ended left behind."""
-        found: list[Unsaved] = [*recoverable(), *left_runs(MOST)]
-        self._rows, self.hovered = sorted(found, key=lambda one: -one.when)[:MOST], None
+        self._rows, self.hovered = unsaved(), None
 
     def take_room(self, area: pygame.Rect) -> pygame.Rect:
         """Take the top of an area, and return the rest."""
@@ -67,10 +66,29 @@ class Strip:
             surface.blit(image, image.get_rect(midleft=(place.x + pad, place.centery)))
 
 
+def unsaved() -> list[Unsaved]:
+    """Return what windows that have ended left behind, the newest first."""
+    found: list[Unsaved] = [*recoverable(), *left_runs(MOST)]
+    return sorted(found, key=lambda one: -one.when)[:MOST]
+
+
+def notice(left: Unsaved) -> str:
+    """Return the text that tells of a draft or a run where the strip is not shown."""
+    message = later("Not saved when a window ended: {name}, {when}. F2 offers to go on with it.")
+    return say(message, name=_name(left), when=_when(left))
+
+
+def _name(left: Unsaved) -> str:
+    return legible(left.title) or say("a level without a name")
+
+
+def _when(left: Unsaved) -> str:
+    return strftime("%Y-%m-%d %H:%M", localtime(left.when))
+
+
 def summary(left: Unsaved) -> str:
     """Return the text that describes a draft or a run."""
-    when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
-    name = legible(left.title) or say("a level without a name")
+    name, when = _name(left), _when(left)
     if isinstance(left, LeftRun):
         message = later("Not saved: the run of {name}, {when}. Click to go on with it.")
         return say(message, name=name, when=when)

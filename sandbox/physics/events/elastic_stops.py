@@ -11,6 +11,7 @@ locates (see `joint_catches`). Beside elastic stops they are located here, as wi
 """
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Self
 
 import numpy as np
@@ -18,6 +19,7 @@ import numpy as np
 from sandbox.model.acting_events import beside_bouncing, bouncing
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
+from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
@@ -26,9 +28,19 @@ from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
 from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.errors import JointFailure
 
 TOUCHING = 1e-9
 """m or rad, the distance at which a stop counts as touched."""
+
+WORK = 15_000
+"""The most bounces in a step, times the equations of all joints, since each of them solves these
+anew: about a second of computing."""
+
+OFTEN = Message(
+    "stops are met too often in a step to be followed, such as '{name}'; reduce their"
+    " 'restitution', or give what they hold more room",
+)
 
 
 class Bounces:
@@ -49,6 +61,7 @@ class Bounces:
         self._scene, self._sides, self._borne, self._dt = scene, sides, borne, dt
         self._restitution = [restitution[name] for name in sides.names]
         self._resting: set[int] = set()
+        self._work = 0  # in this step, in bounces times equations
         self._begin()
 
     @classmethod
@@ -71,7 +84,8 @@ class Bounces:
             self._together.calm()
 
     def release(self) -> None:
-        """Release bodies that leave the stop on which they rest."""
+        """Begin a step: release bodies that leave the stop on which they rest."""
+        self._work = 0
         for side in sorted(self._resting):
             if not self._together.tension[self._rows(side)].any():
                 self._let_go(side)
@@ -95,6 +109,7 @@ class Bounces:
             return None
         rates = [self._rate(place, velocity) for place, velocity in states]
         waits: dict[int, float] = {}
+        apart: dict[int, float] = {}  # how long sides are certainly not reached [s]
         for side in np.flatnonzero(meets).tolist():
             begins, ends = (float(rate[side]) for rate in rates)
             if side in self._resting or (part.lasts == 0 and begins < 0):
@@ -103,14 +118,33 @@ class Bounces:
                 waits[side] = 0.0
                 continue
             turns = part.lasts * begins / (begins - ends) if begins < 0 < ends else 0.0
-            waits[side] = self._meets(side, part, turns)
+            apart[side] = turns
+        waits |= self._reached(part, apart, min(waits.values(), default=part.lasts))
         latest = part.lasts - NEAR * self._dt
         soon = {side: wait for side, wait in waits.items() if wait <= max(latest, 0.0)}
         return min(soon.items(), key=lambda item: item[1], default=None)
 
-    def _meets(self, side: int, part: Part, low: float) -> float:
-        """Return when a side is reached, after a time `low` at which it is not [s]."""
-        return since(lambda t: bool(self._beyond(part.state(t)[0])[side] > 0), low, part.lasts)
+    def _reached(self, part: Part, apart: Mapping[int, float], soonest: float) -> dict[int, float]:
+        """Return when sides are reached in a part [s]; some that come later are left out.
+
+        Another one is reached after the time `soonest` [s]; until the times `apart`, none is.
+        """
+        waits: dict[int, float] = {}
+        for side, low in apart.items():
+            if soonest < part.lasts and not self._is_beyond(side, part, soonest):
+                continue
+            waits[side] = since(partial(self._is_beyond, side, part), low, part.lasts)
+            soonest = min(soonest, waits[side])
+        return waits
+
+    def _is_beyond(self, side: int, part: Part, t: float) -> bool:
+        """Return whether a side is reached at a time [s]: to look at all of them takes longer."""
+        sides, place = self._sides, part.state(t)[0]
+        other = side - len(sides.equations.rows)
+        if other < 0:
+            return bool(self._beyond(place)[side] > 0)
+        value, _ = sides.equations.others[other].look(sides.at(place))
+        return bool(value - sides.length[side] > 0)
 
     def rests(self, side: int, part: Part, wait: float) -> bool:
         """Return whether a body that reaches a stop in a part would return to it within a step.
@@ -125,7 +159,14 @@ class Bounces:
         return bool(2 * self._restitution[side] * comes <= pressed * self._dt)
 
     def bounce(self, side: int, t: float, *, rests: bool) -> Jolt:
-        """Let a body that reaches a side at a time t [s] bounce off it, or stay if it rests."""
+        """Let a body that reaches a side at a time t [s] bounce off it, or stay if it rests.
+
+        Raises `JointFailure` if stops are met too often in a step.
+        """
+        self._work += len(self._together.names)
+        if self._work > WORK:
+            name = self._sides.names[side]
+            raise JointFailure(name, OFTEN.filled(name=name))
         self._release_slack()
         self._hold(side)
 

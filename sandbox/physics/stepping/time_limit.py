@@ -28,7 +28,7 @@ class TimeLimit:
 
     def __init__(self, longest: float = LONGEST) -> None:
         self._longest, self._took = longest, 0.0
-        self._t = self._started = 0.0  # s; before the first step only computing is measured
+        self._t, self._started = 0.0, perf_counter()
         self._computed: float | None = None  # at the first cancellation point of the step [s]
 
     def lost(self, seconds: float) -> bool:

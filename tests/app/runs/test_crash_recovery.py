@@ -11,6 +11,7 @@ from pathlib import Path
 import pygame
 import pytest
 
+from sandbox.app import main
 from sandbox.app.home import draft_strip
 from sandbox.app.runs import crash_recovery, runfile
 from sandbox.app.runs.crash_recovery import OFTEN, LeftRun, RunRecovery, left_runs
@@ -121,6 +122,17 @@ def test_a_lost_run_is_offered_above_the_cards_and_gone_on_with(person: Person) 
     assert not left.file.exists()  # it is this window's own now
     crash()
     assert len(left_runs(3)) == 1
+
+
+def test_a_window_on_a_level_tells_of_a_lost_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """`play LEVEL` does not show the home page, which offers it."""
+    left_by(played())
+    monkeypatch.setattr(pygame, "quit", lambda: None)
+
+    with main._opened("kinematics/free-fall", None, None, False) as window:
+        note = window.banner._note
+
+    assert note.startswith("Not saved when a window ended: Atwood machine, ")
 
 
 PLAYS = """

@@ -78,6 +78,7 @@ class DirectSolver:
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
         self._known, self._pulls = WarmStart(), Pulls()
+        self._crowd: Booleans | None = None  # that was stopped in this kick
         self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
         self._speculative = SpeculativeContacts(query, surfaces, self._moves)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
@@ -101,8 +102,10 @@ class DirectSolver:
         `acceleration`, (n, 3), is by gravity and force laws [m/s², rad/s²]; `start` tells whether
         this is the first kick, which begins at its step.
         """
-        if start and self._starts:  # it is repeated
+        if start and self._starts:  # it is repeated, and its crowd is known
             self.drifts.forget()
+        else:
+            self._crowd = None
         self._begun, self._acceleration = self.velocity(), acceleration
         self._starts = start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
@@ -129,9 +132,8 @@ class DirectSolver:
             self._known.forget()
             self._solved = None
             self._solve_joints(until)
-        divided = self.drifts.divided
         self._pulls.note(self._joints)
-        landed = None if divided else self._land(until)
+        landed = None if self.drifts.divided else self._land(until)
         if self._meets:
             self._note_change(landed)
         if np.count_nonzero(pushed := self.drifts.landings.pushed):
@@ -178,7 +180,7 @@ class DirectSolver:
         """Forget the last kick and the drift after it."""
         self._known.forget()
         self.drifts.forget()
-        self._change = self._calm.jump
+        self._change, self._crowd = self._calm.jump, None
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints without contacts; ropes that fail so are solved as contacts are."""
@@ -222,21 +224,16 @@ class DirectSolver:
 
     def _closed(self, taken: KickResult, start: KickStart) -> KickResult:
         """Return a kick after which slow corners have come down; see `closed`."""
-        look, build, laws = self._speculative, self._build, start.acceleration
-
-        def again(_: KickResult, kick: Kick) -> KickResult:
-            return take(kick, start, self._known)
-
-        taken, strikes = closed(taken, look, build, laws, again, locates=self._locates)
+        look, build, known, locates = self._speculative, self._build, self._known, self._locates
+        laws, again = start.acceleration, lambda _, kick: take(kick, start, known)
+        taken, strikes = closed(taken, look, build, laws, again, locates=locates)
         return taken._replace(strikes=True) if strikes else taken
 
     @property
     def _locates(self) -> bool:
         """Whether landings are located in the drift after this kick."""
-        joints, dt = self._joints, self._dt
-        return (
-            self._lands and joints.drift == dt and joints.kick == (dt / 2 if self._starts else dt)
-        )
+        kick, dt = self._dt / 2 if self._starts else self._dt, self._dt
+        return self._lands and self._joints.drift == dt and self._joints.kick == kick
 
     def _divides(self, kick: Kick) -> bool:
         """Whether a drift can be taken in parts: it is a whole one, and nothing drives bodies."""
@@ -281,11 +278,15 @@ class DirectSolver:
         if not (lands or catches or len(slip_ends(whole, laws))):
             return None
         driven, calm = self._driven(), self._none if stopped is None else stopped
+        if stopped is None and self._crowd is not None:
+            self._stop(whole.kick, self._crowd)
+            return self._land(until, self._crowd)
         landings = DriftCutter(look, self._build, laws, until, driven=driven, stopped=calm)
         parts = landings.follow(whole)
         if landings.crowd.any():
-            self._stop(whole.kick, crowd := landings.crowd | calm)
-            return None if calm[self._moves].all() else self._land(until, crowd)
+            self._crowd = landings.crowd | calm
+            self._stop(whole.kick, self._crowd)
+            return None if calm[self._moves].all() else self._land(until, self._crowd)
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
@@ -324,8 +325,7 @@ class DirectSolver:
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""
         values = np.zeros((len(rates), 3 * len(self._moves) + 3))
-        for row, rate in zip(values, rates, strict=True):
-            row[self._order] = rate
+        values[:, self._order] = rates
         return values
 
     def _driven(self) -> bool:

@@ -52,7 +52,7 @@ class FirstMeeting(NamedTuple):
     before; `corners` land on a side of a body which theirs already touches; `passing` are the
     contacts that pass the end of a side, if nothing lands. `coming` are all pairs of bodies that
     meet in the drift, these and those that follow, and `falling` those of which a corner lands in
-    it.
+    it. `times` is at how many different times pairs meet.
     """
 
     time: float
@@ -61,6 +61,7 @@ class FirstMeeting(NamedTuple):
     passing: Sequence[EndCrossing]
     coming: Sequence[Pair]
     falling: Sequence[Pair]
+    times: int
 
     @property
     def again(self) -> PossibleMeetings:
@@ -125,10 +126,12 @@ class MeetingFinder:
         last = first + TOGETHER * longest
         falling = [one.pair for one, time in zip(corners, falls, strict=True) if time < longest]
         coming = sorted({hit.bodies for hit in hits})
+        times = len({round(hit.time / (TOGETHER * longest)) for hit in hits})
         hits = [hit for hit in hits if hit.time <= last]
         down = [corner for corner, time in zip(corners, falls, strict=True) if time <= last]
         gone = [one for one, time in zip(passing, passes, strict=True) if time <= last]
-        return FirstMeeting(first, hits, down, [] if hits or down else gone, coming, falling)
+        gone = [] if hits or down else gone
+        return FirstMeeting(first, hits, down, gone, coming, falling, times)
 
     def beside(
         self, ended: DriftPart, begun: Array, met: FirstMeeting, pairs: Sequence[Pair]

@@ -148,7 +148,7 @@ class DriftCutter(PartSolver):
     def _parts(self, whole: DriftPart) -> list[DriftPart]:
         """Return the parts of a drift."""
         parts = [whole]
-        while len(parts) <= MOST and (found := self._cut(parts[-1])):
+        while len(parts) <= MOST and (found := self._cut(parts[-1], len(parts))):
             parts[-1:] = found
         if len(parts) > MOST:
             self.crowd, parts = moving(whole.kick), [whole]
@@ -169,8 +169,8 @@ class DriftCutter(PartSolver):
             return last
         return last._replace(lasting=longer.forces) if longer.active.equals(last.active) else last
 
-    def _cut(self, part: DriftPart) -> tuple[DriftPart, DriftPart] | None:
-        """Return a part up to its first landing, and the rest of it; None if nothing lands."""
+    def _cut(self, part: DriftPart, number: int) -> tuple[DriftPart, DriftPart] | None:
+        """Return a part, of a number, up to its first landing, and the rest; None without one."""
         kick, known = part.kick, (self.reached, self._early)
         free = self._loose(part)
         stopped = self._until_it_stops(free)
@@ -182,7 +182,8 @@ class DriftCutter(PartSolver):
         catch = inf if free is part else catch_time(seen, self._laws, self._until, seen.drift)
         met, catch = (None, catch) if met is None or catch < met.time else (met, inf)
         sunk = [] if catch < inf else self._sunk(seen)
-        if not (met or stopped or sunk or catch < inf) or (met and self._is_crowd(part, met)):
+        lands = met or stopped or sunk or catch < inf
+        if not lands or (met and self._is_crowd(part, met, number)):
             self.reached = known[0]
             return None
         self._take_in(around(kick, [*(met.pairs if met else ()), *sunk]))
@@ -229,16 +230,10 @@ class DriftCutter(PartSolver):
             self.reached = known
         return stopped
 
-    def _is_crowd(self, part: DriftPart, met: FirstMeeting) -> bool:
-        """Return whether so many bodies land from the start of the drift on that they are a crowd.
-
-        They are then left to `crowds.stopped`.
-        """
-        if part.left < self._whole.drift or self._stopped.any():
-            return False
-        dull = self._speculative.dull
-        lands = [pair for pair in (*met.coming, *met.falling) if dull[pair]]
-        self.crowd = crowd(part.kick, lands)
+    def _is_crowd(self, part: DriftPart, met: FirstMeeting, number: int) -> bool:
+        """Return whether so many land that they are a crowd, left to `unlocated_landings`."""
+        begins = part.left >= self._whole.drift and not self._stopped.any()
+        self.crowd = crowd(part.kick, met, number, self._speculative.dull if begins else None)
         return bool(self.crowd.any())
 
     def _sunk(self, part: DriftPart) -> list[Pair]:

@@ -8,15 +8,15 @@ Trinkle 1996; Anitescu and Potra 1997). That is of first order in the time step.
 not rebound, so bodies with a large restitution are never treated in this way.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
 from sandbox.physics.contacts.direct.complementarity.islands import islands
 from sandbox.physics.contacts.direct.drifts.drift_parts import moving
+from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult
-from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
     LOOKS,
     SpeculativeContacts,
@@ -28,11 +28,23 @@ from sandbox.physics.state.errors import JointFailure, NoForces
 MANY = 3
 """The most landings of one island in a drift that do not make a crowd."""
 
+FORESEEN = 24
+"""The most landings of one drift, located or still ahead, with which not all bodies are a crowd. A
+few of those ahead may come to nothing: no more than 16 are ever located, and a pile that is thrown
+at a floor would have them located in vain."""
 
-def crowd(kick: Kick, landings: Sequence[Pair]) -> Booleans:
-    """Return which bodies are in a crowd, (n,), from the pairs that land in a drift."""
+
+def crowd(kick: Kick, met: FirstMeeting, number: int, dull: Booleans | None) -> Booleans:
+    """Return which bodies are in a crowd, (n,), from what meets in a part of a drift.
+
+    `number` counts the parts. `dull`, (n, n), tells which pairs rebound so little that some of them
+    may be a crowd at the start of a drift; None if this is not its start.
+    """
     moves = moving(kick)
+    if number + met.times > FORESEEN:
+        return moves
     crowded = np.zeros(len(moves), dtype=bool)
+    landings = [p for p in (*met.coming, *met.falling) if dull[p]] if dull is not None else []
     if len(landings) <= MANY:
         return crowded
     groups = [np.flatnonzero(kick.acts[rows].any(axis=0)) for rows, _, _ in kick.layout.islands]

@@ -28,7 +28,11 @@ from sandbox.physics.contacts.direct.complementarity.linear_systems import most
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts, Pair, PlacedParts
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowCorner, HollowPairs
-from sandbox.physics.contacts.direct.prediction.separation_bound import Separation, spread
+from sandbox.physics.contacts.direct.prediction.separation_bound import (
+    CLEAR,
+    Separation,
+    spread,
+)
 from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.collision_filter import meets
@@ -143,9 +147,12 @@ class ApproachingPairs:
         corners: list[HollowCorner] = []
         hits: list[Hit] = []
         here, later = spread(path.place), spread(path.place_at(soon))
+        placed = self._shapes.at(later)
         for a, b in pairs:
             if self._hollows.pairs[a, b]:
                 corners += self._hollows.touching((a, b), here, later)
+                continue
+            if self._shapes.gap((a, b), placed) > CLEAR:  # a small part of the work
                 continue
             for one, other in product(self.outlines(a), self.outlines(b)):
                 if touching(path, one, other, soon):

@@ -1,10 +1,14 @@
 """Where more bodies land in a drift than are located, none overlaps, and the books still close."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
+from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.contacts.direct.drifts.landing_drifts import DriftCutter
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
@@ -176,6 +180,34 @@ def test_a_car_drives_into_a_pile(rate: float, start: float, most: float) -> Non
 
     assert deepest <= most
     assert abs(books.closing.unexplained) <= 3e-3 * books.closing.turned
+
+
+def test_a_crowd_that_bounces_on_a_floor_is_known_early(monkeypatch: pytest.MonkeyPatch) -> None:
+    """49 elastic boxes, thrown at a floor: the start and a step cut drifts 81 times, now 15.
+
+    At the start the kick is repeated, but its crowd is found once.
+    """
+    cuts = 0
+    locate = DriftCutter._land
+
+    def counted(self: DriftCutter, *what: Any) -> DriftPart:  # noqa: ANN401 (as they were given)
+        nonlocal cuts
+        cuts += 1
+        return locate(self, *what)
+
+    monkeypatch.setattr(DriftCutter, "_land", counted)
+    rubs: Spec = {"friction": 1, "restitution": 1}
+    bodies = {
+        "floor": fixed({"type": "segment", "start": [-50, 0], "end": [50, 0]}, (0, 0), **rubs)
+    }
+    for i in range(49):
+        at = 0.6 * (i % 7), 0.25 + 0.6 * (i // 7)
+        velocity = [i % 7 - 3, -20]
+        bodies[f"box{i}"] = box(at, size=(0.5, 0.5), mass=1, velocity=velocity, **rubs)
+    world = build(level(bodies, PILED, stepping={"rate": 60}))
+    world.advance()
+
+    assert 0 < cuts <= 40
 
 
 @pytest.mark.sweep

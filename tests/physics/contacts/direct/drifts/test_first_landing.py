@@ -36,7 +36,7 @@ class Meetings:
             return None
         pair = min(soon, key=lambda pair: soon[pair])
         hits = [Hit(soon[pair], pair, 1j, (0j,), -1.0)]
-        return FirstMeeting(soon[pair], hits, [], [], sorted(soon), [])
+        return FirstMeeting(soon[pair], hits, [], [], sorted(soon), [], len(soon))
 
 
 @pytest.mark.parametrize("later", [0.0, 0.1, 0.5, 0.9])
