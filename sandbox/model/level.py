@@ -85,7 +85,19 @@ wall of 46 bricks takes 14 ms a step, a pour of 30 discs 40 ms; one of 60 takes 
 FINEST = 1e-14
 """The smallest accuracy that may be asked for; anything below is rounding."""
 
-Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]
+Scheme = Literal[
+    "leapfrog", "fourth-order", "symplectic-euler", "explicit-euler", "sixth-order", "eighth-order"
+]
+
+ORDERS: Mapping[Scheme, int] = {
+    "leapfrog": 2,
+    "fourth-order": 4,
+    "symplectic-euler": 1,
+    "explicit-euler": 1,
+    "sixth-order": 6,
+    "eighth-order": 8,
+}
+"""The orders of the schemes: the power of the step with which their errors fall."""
 
 
 class Parameter(Model):
@@ -139,8 +151,9 @@ class Stepping(Model):
     """`direct` solves contacts directly, `iterative` by sweeps unless joints are exact; what the
     effect `contact` chooses goes first. The search for an `accuracy` chooses one"""
     scheme: Scheme = "leapfrog"
-    """the integration scheme; `fourth-order` is for smooth forces that depend only on positions and
-    time, `symplectic-euler` is stock pymunk, `explicit-euler` is deliberately bad"""
+    """the integration scheme; those of fourth, sixth and eighth order are for smooth forces that
+    depend only on positions and time, `symplectic-euler` is stock pymunk, `explicit-euler` is
+    deliberately bad"""
 
     def at(self, rate: float) -> "Stepping":
         """Return the stepping with a given rate [Hz], and without an accuracy.
@@ -165,6 +178,16 @@ class Stepping(Model):
     def is_stock(self) -> bool:
         """Whether a run starts without half a kick, so that velocities lag by half a step."""
         return self.scheme in ("symplectic-euler", "explicit-euler")
+
+    @property
+    def order(self) -> int:
+        """The order of the scheme."""
+        return ORDERS[self.scheme]
+
+    @property
+    def is_composed(self) -> bool:
+        """Whether a step has several drifts and kicks, which needs smooth forces."""
+        return self.order > ORDERS["leapfrog"]
 
 
 class Level(Model):

@@ -1,7 +1,7 @@
 """The requirements of schemes and rates on a level.
 
-Fourth order needs smooth forces that do not depend on velocities. Exact rods, pins, rails and wires
-are allowed as well: they are reversible in time, too.
+Schemes of higher order than leapfrog need smooth forces that do not depend on velocities. Exact
+rods, pins, rails and wires are allowed as well: they are reversible in time, too.
 """
 
 from collections.abc import Iterator
@@ -21,12 +21,12 @@ def bounds_the_rate(level: Level) -> bool:
 
 
 def unsmooth(level: Level) -> Message | None:
-    """Return why a level cannot use a fourth-order scheme; None if it can."""
+    """Return why a level cannot use a scheme of higher order than leapfrog; None if it can."""
     found = next(_obstacles(level), None)
     if found is None:
         return None
     return Message(
-        "'fourth-order' needs smooth forces that do not depend on velocity, which rules out"
+        "a higher order needs smooth forces that do not depend on velocity, which rules out"
         " {found}; choose 'leapfrog'",
         found=found,
     )
@@ -36,7 +36,7 @@ def _obstacles(level: Level) -> Iterator[Message]:
     yield from map(_jump, level.events)
     yield from (_break(name) for name, _ in breakable(level.joints))
     for effect in level.effects.declarations:
-        if "fourth-order" in effect.excludes:
+        if effect.is_rough:
             yield Message("the effect '{name}'", name=effect.name)
     for potential in level.effects.potential or ():
         if not potential.energy.is_smooth:

@@ -14,6 +14,8 @@ from validation.cost.sweep import Point, Sweep
 LOOKS = {
     "leapfrog": ("#0072b2", "o", "-", "leapfrog (ours)"),
     "fourth-order": ("#009e73", "d", "-.", "fourth order"),
+    "sixth-order": ("#cc79a7", "v", "-.", "sixth order"),
+    "eighth-order": ("#e69f00", "p", "-.", "eighth order"),
     "symplectic-euler": ("#d55e00", "s", "--", "symplectic Euler (stock pymunk)"),
     "explicit-euler": ("#7f7f7f", "^", ":", "explicit Euler"),
 }

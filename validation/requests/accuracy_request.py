@@ -130,11 +130,11 @@ def _off(run: Trace, finer: Sequence[Trace], item: Watched) -> float:
 
 
 def _finer(level: Level, values: Values, chosen: Stepping) -> Stepping | None:
-    """Return a much finer setting, of fourth order if possible; None if it takes too long."""
+    """Return a much finer setting, of higher order if possible; None if it takes too long."""
     for times in (FINER, FINER // 2):
         update: dict[str, object] = {"rate": times * chosen.rate, "scheme": "leapfrog"}
         if "fourth-order" in usable(level):
-            update["scheme"] = "fourth-order"
+            update["scheme"] = chosen.scheme if chosen.is_composed else "fourth-order"
         elif level.effects.contact:
             update["iterations"] = min(FINER * chosen.iterations, 1000)
         finer = chosen.model_copy(update=update)

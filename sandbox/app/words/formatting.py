@@ -33,6 +33,8 @@ SCHEMES: Mapping[str, str] = {
     "symplectic-euler": later("symplectic Euler"),
     "explicit-euler": later("explicit Euler"),
     "fourth-order": later("fourth order"),
+    "sixth-order": later("sixth order"),
+    "eighth-order": later("eighth order"),
 }
 
 

@@ -109,9 +109,9 @@ class Effect:
         return self.account or self.name
 
     @property
-    def excludes(self) -> tuple[str, ...]:
-        """The schemes that a level with it cannot use."""
-        return () if self.smooth and not self.sees_velocity else ("fourth-order",)
+    def is_rough(self) -> bool:
+        """Whether a level with it cannot use a scheme of higher order than leapfrog."""
+        return self.sees_velocity or not self.smooth
 
     @property
     def called(self) -> str:

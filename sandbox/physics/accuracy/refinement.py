@@ -9,7 +9,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import Watched, apart, scale, size
 from sandbox.physics.accuracy.event_timing_errors import hidden
-from sandbox.physics.accuracy.richardson import ORDERS, extrapolated
+from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.stepping.make_world import make_world
@@ -90,7 +90,7 @@ class Refinement:
 
     @property
     def _order(self) -> int:
-        return ORDERS[self.traces[-1].stepping.scheme]
+        return self.traces[-1].stepping.order
 
     def believable(self, target: float) -> bool:
         """Whether the runs allow extrapolation to a smaller error.

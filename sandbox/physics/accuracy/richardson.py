@@ -11,9 +11,6 @@ from sandbox.physics.measuring.recording import Trace
 LEAST_ORDER = 0.5
 """The least power of the step with which differences must fall to show an order."""
 
-ORDERS = {"leapfrog": 2, "fourth-order": 4, "symplectic-euler": 1, "explicit-euler": 1}
-"""The orders of the schemes; errors are not expected to fall faster."""
-
 ROUGHLY = 2.0
 """The error without an order, as a multiple of the last difference: rounding is random."""
 
@@ -54,7 +51,7 @@ def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
         return None
     differences = [inf if step is None else step for step in steps]
     floor = ROUNDING * size(traces[-1], item)
-    order, jump = _order(differences, floor, ORDERS[traces[-1].stepping.scheme])
+    order, jump = _order(differences, floor, traces[-1].stepping.order)
     last = jump / (2**order - 1) if order else ROUGHLY * jump
     whole = (apart(trace, traces[-1], item) for trace in traces[:-1])
     rise = 0.0 if order else _rise(differences)

@@ -14,7 +14,7 @@ from time import thread_time
 from typing import Literal
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct, may_be_direct
+from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping, is_direct, may_be_direct
 from sandbox.model.schemes import unsmooth
 from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
 from sandbox.physics.accuracy.compared_runs import (
@@ -37,7 +37,6 @@ from sandbox.physics.accuracy.refinement_search import (
     cost,
     refine,
 )
-from sandbox.physics.accuracy.richardson import ORDERS
 from sandbox.physics.guarding.step_rate_bounds import needed
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
@@ -51,6 +50,10 @@ FEW = 400
 
 CLOSER = 4
 """The rate of the run that shows the errors where forces set in or end, as a multiple."""
+
+SMALL = 1e-7
+"""The largest target for which sixth order is tried: for larger ones fourth order at the lowest
+rate is nearly always enough, or the motion is not smooth, and its runs would be work in vain."""
 
 LONGEST = 4.0
 """The first rate of a long run is halved until it is no higher than this [Hz]."""
@@ -109,7 +112,7 @@ class Seeker:
         wanted = scaled(wanted, own) if own else wanted
         refiners = [
             Refiner(self.level, self.values, start, wanted, self.target, known=own)
-            for start in _candidates(self.level, self.values)
+            for start in _candidates(self.level, self.values, self.target)
         ]
         refinements = refine(refiners, self.budget, self.stop, self.progress, begun)
         if not refinements and (failure := refiners[-1].failure):
@@ -161,7 +164,7 @@ class Seeker:
             here, finer = (self._run(chosen.stepping.at(r), wanted) for r in (rate, 2 * rate))
         except SimulationError:
             return chosen._replace(error=float("inf"))
-        spare = 1 + 1 / (2 ** (NEARLY * ORDERS[chosen.stepping.scheme]) - 1)
+        spare = 1 + 1 / (2 ** (NEARLY * chosen.stepping.order) - 1)
         return chosen._replace(error=spare * furthest(here, finer, wanted)[0], trace=here)
 
     def _at_every_step(
@@ -230,7 +233,7 @@ def own_run(
     return None
 
 
-def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
+def _candidates(level: Level, values: Values, target: float) -> Iterator[Stepping]:
     """Yield the steppings to try, each at its lowest rate; the best reference comes first.
 
     For a smooth level it begins below the lowest rate that may be chosen, so as to show its order.
@@ -245,7 +248,9 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
     solver: Literal["iterative"] | None = "iterative" if _may_pile(level) else None
     start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver or solver)
     if not unsmooth(level):
-        yield start.model_copy(update={"scheme": "fourth-order", "rate": rate / 2})
+        yield from (
+            start.model_copy(update={"scheme": s, "rate": rate / 2}) for s in _smooth(target)
+        )
     elif contact := level.effects.contact:
         if _may_pile(level):
             yield start.model_copy(update={"solver": "direct"})
@@ -258,6 +263,11 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
             naive = judge if level.effects.in_sequence else start  # rows together need more sweeps
             yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})
     yield start
+
+
+def _smooth(target: float) -> tuple[Scheme, ...]:
+    """Return the schemes of higher order that are worth trying where all is smooth."""
+    return ("fourth-order", "sixth-order") if target <= SMALL else ("fourth-order",)
 
 
 def _may_pile(level: Level) -> bool:

@@ -10,8 +10,8 @@ A force with a potential is booked by the change of its potential energy, read i
 drift, instead of by its work. The two differ if a step is too coarse. That difference, and any
 other change without a cause, is `unexplained`: the numerical error. Nothing corrects it.
 
-A fourth-order step has several drifts and kicks, and shares its last kick with the next step. It is
-read from step to step instead: half of that kick is booked before the step, and half after it.
+A step of higher order has several drifts and kicks, and shares its last kick with the next step. It
+is read from step to step instead: half of that kick is booked before the step, and half after it.
 
 Some causes cannot add energy: contacts, impacts with e = 1, joints of constant length. If they seem
 to, that energy is not booked, and stays unexplained.
@@ -132,7 +132,7 @@ class Ledger:
         return (Stage(dt, after, tension * dt, self._kicked()),)
 
     def _follow(self) -> None:
-        """Book the kicks of a fourth-order step, in which only smooth forces and joints act.
+        """Book the kicks of a composed step, in which only smooth forces and joints act.
 
         Half of the kicks at its two ends belongs to the step.
         """

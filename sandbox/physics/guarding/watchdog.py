@@ -105,7 +105,7 @@ class Watchdog:
         self._gains = Gains(scene, start, thick, swing, stepping.rate)
         self._closed = not ledger_accounts.works(level)
         self._audit = None
-        if stepping.scheme != "fourth-order" and not self._closed:
+        if not stepping.is_composed and not self._closed:
             self._audit = audit(self._gains.least, swing, not self._strict)
         self._deep: dict[tuple[int, int], Array] = {}  # normals of deep overlaps, by pair
         self._recent = [start]

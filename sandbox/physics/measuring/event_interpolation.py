@@ -6,8 +6,8 @@ takes those of the other side, for which the curve is far smoother (ENO). If the
 a kink, there are two cubics, which meet where they intersect, or at the time of an impact that was
 located: Harten's subcell resolution (J. Comput. Phys. 83, 1989).
 
-For smooth runs, those of fourth order, the quintic through six samples around the interval is far
-more accurate.
+For smooth runs, those of a scheme of order p > 2, the polynomial through p + 2 samples around the
+interval is far more accurate: its error falls faster with the step than theirs.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -33,8 +33,11 @@ Curve = Callable[[float], float]
 """A quantity near an interval, s = −1 at its start and 0 at its end."""
 
 
-def value_at(t: Array, samples: Array, at: float, *, smooth: bool = False) -> float:
-    """Return the value at a time within the range of the samples [s]."""
+def value_at(t: Array, samples: Array, at: float, *, smooth: int = 0) -> float:
+    """Return the value at a time within the range of the samples [s].
+
+    `smooth` is the order of a run in which nothing jumps; 0 if something may.
+    """
     if at <= t[0] or len(t) == 1:
         return float(samples[0])
     end = min(max(int(np.searchsorted(t, at)), 1), len(t) - 1)
@@ -55,13 +58,14 @@ def crossing(
     level: float,
     direction: Literal["up", "down", "either"],
     *,
-    smooth: bool = False,
+    smooth: int = 0,
     impacts: Sequence[float] = (),
 ) -> float | None:
     """Return when the samples first cross a value in a direction [s]; None if they never do.
 
     A start on the value itself is no crossing. `t` are the times [s], and `samples` the quantity at
-    each. Unless the run is `smooth`, the quantity may turn or jump at `impacts`, known times [s].
+    each. `smooth` is the order of a run in which nothing jumps; if it is 0, the quantity may turn
+    or jump at `impacts`, known times [s].
     """
     above = samples - level
     rises = (above[:-1] < 0) & (above[1:] >= 0)
@@ -103,11 +107,11 @@ def _crossed(piece: _Piece, direction: str) -> float | None:
     return high
 
 
-def _pieces(samples: Array, end: int, jump: float | None, *, smooth: bool) -> list[_Piece]:
+def _pieces(samples: Array, end: int, jump: float | None, *, smooth: int) -> list[_Piece]:
     """Return the parts of the interval that ends at a sample, with a curve for each."""
     begins = float(samples[end - 1])
     if smooth:
-        return [_Piece(-1.0, 0.0, _around(samples, end, 6, 2), begins)]
+        return [_Piece(-1.0, 0.0, _around(samples, end, smooth + 2, smooth // 2), begins)]
     ahead = list(_ahead(samples, end))
     rough = [_roughness(samples, end + n) for n in ahead]
     best = int(np.argmin(rough))

@@ -74,9 +74,9 @@ class Trace:
     """What may have passed through others within a step, with the rates at which it would not."""
 
     @property
-    def smooth(self) -> bool:
-        """Whether nothing in it may jump, as in a run of fourth order."""
-        return self.stepping.scheme == "fourth-order"
+    def smooth(self) -> int:
+        """The order of its scheme if nothing in it may jump, as that scheme requires; else 0."""
+        return self.stepping.order if self.stepping.is_composed else 0
 
     @property
     def impacts(self) -> list[float]:

@@ -34,11 +34,11 @@ def check_rate(
 
 def _reach(stepping: Stepping, *, held: bool) -> float:
     """Return the largest ω h at which the scheme is stable; 2 for leapfrog."""
-    if stepping.scheme != "fourth-order":
+    if not stepping.is_composed:
         return 2.0
-    from sandbox.physics.scene.composition_schemes import fourth_order
+    from sandbox.physics.scene.composition_schemes import composition
 
-    return fourth_order(held=held).reach
+    return composition(stepping.order, held=held).reach
 
 
 def hooked_springs(made: BuildContext, share: Share) -> Iterator[SpringForce]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import get_args
 
-from sandbox.model.level import Level, Scheme
+from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.schemes import unsmooth
 from sandbox.physics.forces.declared_laws import any_law
 from sandbox.physics.state.errors import SchemeError
@@ -11,7 +11,7 @@ from sandbox.physics.state.errors import SchemeError
 
 def require(level: Level, scheme: Scheme) -> None:
     """Raise `SchemeError` if a scheme does not suit a level."""
-    if scheme == "fourth-order" and (rule := unsmooth(level)):
+    if Stepping(scheme=scheme).is_composed and (rule := unsmooth(level)):
         raise SchemeError(rule)
 
 
@@ -21,7 +21,7 @@ def usable(level: Level) -> Iterator[Scheme]:
     Explicit Euler differs from leapfrog only by where force laws are evaluated.
     """
     for scheme in get_args(Scheme):
-        if scheme == "fourth-order" and unsmooth(level):
+        if Stepping(scheme=scheme).is_composed and unsmooth(level):
             continue
         if scheme == "explicit-euler" and not any_law(level):
             continue

@@ -19,7 +19,7 @@ def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = 
     if stepping.accuracy is not None:
         raise ValueError("an accuracy is asked for, and no rate is chosen")
     try:
-        if stepping.scheme == "fourth-order":
+        if stepping.is_composed:
             from sandbox.physics.scene.schemes import require
 
             require(level, stepping.scheme)

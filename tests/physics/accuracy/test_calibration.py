@@ -116,6 +116,15 @@ def test_fourth_order_is_taken_where_it_is_cheaper() -> None:
     assert calibrate(orbit(), target=1e-2).chosen.stepping.scheme == "leapfrog"
 
 
+@pytest.mark.sweep
+def test_sixth_order_is_taken_for_small_errors() -> None:
+    """A bead on a wire needs 31 Hz instead of 219, at twice the cost of a step."""
+    bead = catalog_level("lagrange/bead-on-a-wire")
+
+    assert calibrate(bead, target=1e-9).chosen.stepping.scheme == "sixth-order"
+    assert calibrate(bead, target=1e-6).chosen.stepping.scheme == "fourth-order"
+
+
 def test_what_is_exact_at_any_rate_gets_a_low_one() -> None:
     made = atwood(1, 1.5, duration=1, checks=[check("left.position.y", f"{G}/5*t**2/2")])
     setting = calibrate(made, target=1e-9)

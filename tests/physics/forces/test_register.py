@@ -27,8 +27,8 @@ from tests.physics.scenes import disc, level
 
 FORCES = [effect for effect in EFFECTS.values() if effect.is_force]
 LAWS = [effect for effect in FORCES if effect.is_law]
-SMOOTH = [effect for effect in FORCES if not effect.excludes]
-ROUGH = [effect for effect in FORCES if effect.excludes]
+SMOOTH = [effect for effect in FORCES if not effect.is_rough]
+ROUGH = [effect for effect in FORCES if effect.is_rough]
 COUNT = len(BODIES)
 Places = tuple[tuple[float, float], ...]
 APART: Places = ((1.2, 0.3), (-2, 1.5), (0.4, -2.5))

@@ -41,7 +41,7 @@ CALLS: dict[str, Callable[[], Level]] = {
     ),
     "contacts solved directly": lambda: level(BALL, {**GRAVITY, "contact": {"solver": "direct"}}),
     "one-way surfaces": lambda: level({**BALL, "floor": {**floor(-1), "one_way": "left"}}, CONTACT),
-    "fourth order": lambda: orbit(scheme="fourth-order"),
+    "several drifts and kicks": lambda: orbit(scheme="fourth-order"),
     "the bounds of a crowd's grid": lambda: level(
         {f"ball{i}": disc((3 * i, 0)) for i in range(CROWD)}, CONTACT
     ),

@@ -24,6 +24,7 @@ def colors() -> Mapping[str, Color]:
     return {
         "leapfrog": theme.ACCENT, "fourth-order": theme.PASSED,
         "symplectic-euler": theme.KINETIC, "explicit-euler": theme.FAILED,
+        "sixth-order": theme.SPRING, "eighth-order": theme.POTENTIAL,
     }  # fmt: skip
 
 

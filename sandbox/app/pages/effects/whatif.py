@@ -61,7 +61,7 @@ def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
     """
     wanted = original.stepping.scheme
     level, effects = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
-    left = wanted if wanted == "fourth-order" and unsmooth(level) else None
+    left = wanted if original.stepping.is_composed and unsmooth(level) else None
     scheme = "leapfrog" if left else wanted
     changes = replace(changes, effects=effects, left=left)
     return stepped(original, scheme), stepped(level, scheme), changes

@@ -11,8 +11,8 @@ from sandbox.model.translatable_message import Message
 
 
 def scheme_fits(level: Level) -> Iterator[Fault]:
-    """Refuse a scheme of fourth order where forces are not smooth."""
-    if level.stepping.scheme == "fourth-order" and (rule := unsmooth(level)):
+    """Refuse a scheme of higher order than leapfrog where forces are not smooth."""
+    if level.stepping.is_composed and (rule := unsmooth(level)):
         yield Fault(("stepping", "scheme"), rule)
 
 

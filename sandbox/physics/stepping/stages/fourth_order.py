@@ -1,7 +1,7 @@
-"""The stage of the fourth-order scheme: several drifts and kicks, some backwards in time."""
+"""The stage of the schemes of higher order: several drifts and kicks, some backwards in time."""
 
 from sandbox.model.expressions import Array
-from sandbox.physics.scene.composition_schemes import fourth_order, substeps
+from sandbox.physics.scene.composition_schemes import composition, substeps
 from sandbox.physics.stepping.stage import Setup, Stage
 
 
@@ -17,7 +17,8 @@ class LeadingSubsteps:
     def __init__(self, setup: Setup) -> None:
         self._kicks, self._batch = setup.kicks, setup.scene.batch
         held = setup.scene.joints.together is not None
-        self._kicks.compose(substeps(fourth_order(held=held), self._kicks.clock.dt))
+        scheme = composition(setup.stepping.order, held=held)
+        self._kicks.compose(substeps(scheme, self._kicks.clock.dt))
         self._begun = self._batch.velocity()
 
     def take(self) -> None:

@@ -47,7 +47,7 @@ STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] =
     "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequential_impacts")),
     "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct_solver")),
     "one-way surfaces": (lambda s: s.scene.gates is not None, _by("one_way")),
-    "fourth order": (lambda s: s.stepping.scheme == "fourth-order", _by("fourth_order")),
+    "several drifts and kicks": (lambda s: s.stepping.is_composed, _by("fourth_order")),
     "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("grid_bounds")),
 }
 """The condition for each stage, and its maker."""
