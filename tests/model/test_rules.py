@@ -92,8 +92,8 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (hanging, "joints.string.ends", ["ball", "othr"], "joints.string.ends.1: unknown body 'othr'; did you mean 'other'?"),
         (hanging, "joints.string.ends", ["ball", "ball"], "joints.string.ends: 'ball' is connected to itself"),
         (hanging, "joints.ball", hanging()["joints"]["string"], "joints.ball: 'ball' is already the name of a body"),
-        (hanging, "joints.system", hanging()["joints"]["string"], "joints.system: the name 'system' is taken"),
-        (bare, "bodies.t", bare()["bodies"]["ball"], "bodies.t: the name 't' is taken"),
+        (hanging, "joints.system", hanging()["joints"]["string"], "joints.system: 'system' is all bodies together"),
+        (bare, "bodies.t", bare()["bodies"]["ball"], "bodies.t: 't' is the time"),
         # checks
         (bare, "checks.0.quantity", "ball.hight", "checks.0.quantity: 'ball.hight' is not a quantity"),
         (bare, "checks.0.quantity", "bal.speed", "checks.0.quantity: 'bal.speed' is not a quantity of this level; did you mean 'ball.speed'?"),

@@ -56,7 +56,8 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Edi
 
     `kind` is as in a level's file, and `chosen` has the two ends, in order. For a pulley, it also
     has the pegs between them. For a pin, it has the two parts, held at the first point; for a rail,
-    the body that slides, and a point through which the rail passes; for a winding, the end of the
+    the body that slides, and a point through which the rail passes, or the slot of a body; for a
+    winding, the end of the
     string, and the wheel on the side where the string leaves it; for a wire, the bead, and a point
     through which the wire passes. Raises `SandboxError` if the kind does not exist, or cannot join
     these points.
@@ -135,6 +136,15 @@ def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     return {**_line(chosen, where), "direction": list(xy(way)) if abs(way) > CENTRAL else [1, 0]}
 
 
+def _slot(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    """Return a slot in the second body, or in the first if the second is the plane."""
+    first, second = chosen if chosen[1].body else (chosen[1], chosen[0])
+    turn = where[second.body].turn if second.body else 1.0
+    way = (complex(*second.point) - complex(*first.point)) / turn
+    direction = list(xy(way)) if abs(way) > CENTRAL else [1, 0]
+    return {**_line([first, second], where), "direction": direction}
+
+
 def _stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     """Return stops that let the first body move by its distance from the second, either way."""
     line = _rail(chosen, where)
@@ -210,6 +220,7 @@ _MADE: Mapping[str, Callable[[list[Pick], Bodies], dict[str, Json]]] = {
     "pivot": _pin,
     "motor": _motor,
     "rail": _rail,
+    "slot": _slot,
     "stop": _stop,
     "angle_stop": _angle_stop,
     "gear": _gear,

@@ -17,6 +17,7 @@ from sandbox.model.joints import (
     Motor,
     Rack,
     Rail,
+    Slot,
     Stop,
     Winding,
     Wire,
@@ -82,7 +83,7 @@ class _Mirror:
     def _ways(self, path: Path, joint: Joint) -> Changes:
         """Return the changes of the direction or the curve along which the ends of a joint move."""
         match joint:
-            case Rail(direction=direction) | Stop(direction=direction):
+            case Rail(direction=direction) | Slot(direction=direction) | Stop(direction=direction):
                 return {(*path, "direction"): self._flipped(direction)}
             case Rack(direction=direction):  # the wheel turns the other way
                 mirrored: list[Json] = [along.source for along in direction]

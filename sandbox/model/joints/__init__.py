@@ -15,6 +15,7 @@ from sandbox.model.expressions import Expression
 from sandbox.model.functions import Curve
 from sandbox.model.joints.contract import FIXED, Kind, kinds
 from sandbox.model.joints.ends import ENDS as ENDS
+from sandbox.model.joints.ends import BodyEnd
 from sandbox.model.joints.ends import End as End
 from sandbox.model.joints.ends import Held as Held
 from sandbox.model.joints.gears import Gear as Gear
@@ -114,6 +115,20 @@ class Rail(Model):
     """the body or point that slides along it, and the one through which it passes"""
     direction: Point
     """[x, y], the direction of the rail, of any length; it does not turn"""
+    breaks_at: Load | None = None
+    """N, the force at which it breaks; never if left out"""
+
+
+class Slot(Model):
+    """A smooth, straight slot in a body, or a rail on it, which turns with that body."""
+
+    kind: ClassVar[Kind] = Kind(turns=True, points_meet=True)
+
+    type: Literal["slot"]
+    ends: tuple[End, BodyEnd]
+    """the body or point that slides in it, and the body with the slot, at a point of the slot"""
+    direction: Point
+    """[x, y], the direction of the slot along the axes of its body, of any length"""
     breaks_at: Load | None = None
     """N, the force at which it breaks; never if left out"""
 
@@ -219,6 +234,7 @@ Joint = Annotated[
     | Pulley
     | Pivot
     | Rail
+    | Slot
     | Stop
     | AngleStop
     | Weld

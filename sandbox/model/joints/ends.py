@@ -38,3 +38,9 @@ End = Annotated[
     Discriminator(_end_kind),
 ]
 """The end of a joint: the centre of a body, a point of it, or a fixed point [x, y] in m."""
+
+BodyEnd = Annotated[
+    Annotated[BodyName, Tag("a body")] | Annotated[Held, Tag("a point of a body")],
+    Discriminator(_end_kind),
+]
+"""An end that must be on a body."""

@@ -238,6 +238,8 @@ class _Frame:
         made = dict(joint)
         for key in joint.keys() & TURNED.keys():
             made[key] = TURNED[key](self, joint[key], names)
+        if joint.get("type") == "slot":
+            made["direction"] = joint.get("direction")  # along its body's axes, which turn
         if joint.get("type") == "angle_stop":
             made["range"] = self.angles(joint)
         return made

@@ -20,6 +20,7 @@ from sandbox.model.joints import (
     Rail,
     Rod,
     Rope,
+    Slot,
     Stop,
     Weld,
     Winding,
@@ -31,6 +32,7 @@ from sandbox.physics.geometry.quintic_curve import course
 from sandbox.physics.joints.exact.angle_equations import (
     AngleEquation,
     RackEquation,
+    SlotEquation,
     angle_stops,
     number,
     pin,
@@ -48,7 +50,7 @@ from sandbox.physics.state.anchor import Anchor
 
 Lengths = Rod | Rope | Pulley | Rail | Stop
 Turning = Pivot | Weld | Motor | Winding | AngleStop | Gear | Rack
-Solved = Lengths | Turning | Wire
+Solved = Lengths | Turning | Slot | Wire
 """The joints that are solved by their equations."""
 
 Made = tuple[list[Row], Sequence[Equation]]
@@ -86,6 +88,9 @@ class JointEquations:
             return _rows(name, spec, path, self._lengths[name], values), ()
         if isinstance(spec, Turning):
             return self._turning(name, spec, path, start)
+        if isinstance(spec, Slot):
+            way = complex(*evaluate(spec.direction, values))
+            return [], (SlotEquation(name, path[0], path[1], -1j * way / abs(way)),)
         wire = WireEquation(name, path[0], course(spec, values) - self._origin)
         joints.wires[name] = wire
         joints.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))

@@ -1,5 +1,6 @@
 """Joints fit the distances between their ends at the start."""
 
+from cmath import exp
 from collections.abc import Iterator
 from functools import partial
 
@@ -21,6 +22,7 @@ from sandbox.model.joints import (
     Rail,
     Rod,
     Rope,
+    Slot,
     Spring,
     Stop,
     Winding,
@@ -103,24 +105,24 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> Message | None:
             )
         case Winding(radius=radius):
             return _winding_fault(distance, radius(values))
-        case Rail() | Stop() | AngleStop() | Rack():
+        case Rail() | Slot() | Stop() | AngleStop() | Rack():
             return _way_fault(joint, level, values)
     return None
 
 
 def _later_fault(joint: Joint, _level: Level, values: Values) -> Message | None:
     """Say what is wrong with a joint that an event ties, for any positions of its ends."""
-    return _direction_fault(joint, values) if isinstance(joint, Rail | Stop | Rack) else None
+    return _direction_fault(joint, values) if isinstance(joint, Rail | Slot | Stop | Rack) else None
 
 
-def _direction_fault(joint: Rail | Stop | Rack, values: Values) -> Message | None:
+def _direction_fault(joint: Rail | Slot | Stop | Rack, values: Values) -> Message | None:
     if abs(complex(*evaluate(joint.direction, values))) > NEAR:
         return None
     return Message("a {type} needs a 'direction' that is not [0, 0]", type=word(joint.type))
 
 
 def _way_fault(
-    joint: Rail | Stop | AngleStop | Rack, level: Level, values: Values
+    joint: Rail | Slot | Stop | AngleStop | Rack, level: Level, values: Values
 ) -> Message | None:
     """Say what is wrong with the direction or range in which a joint lets its ends move."""
     if isinstance(joint, AngleStop):
@@ -130,21 +132,26 @@ def _way_fault(
         return fault
     way = complex(*evaluate(joint.direction, values))
     first, second = (place(end, level.bodies, values) for end in joint.ends)
+    if isinstance(joint, Slot):
+        way *= exp(1j * level.bodies[str(body_of(joint.ends[1]))].angle(values))
     beyond = (first - second) * way.conjugate() / abs(way)
-    return (
-        _rail_fault(beyond.imag)
-        if isinstance(joint, Rail)
-        else _stop_fault(joint, beyond.real, values)
-    )
+    if isinstance(joint, Stop):
+        return _stop_fault(joint, beyond.real, values)
+    return _rail_fault(joint, beyond.imag)
 
 
-def _rail_fault(aside: float) -> Message | None:
-    if abs(aside) > NEAR:
+def _rail_fault(joint: Rail | Slot, aside: float) -> Message | None:
+    if abs(aside) <= NEAR:
+        return None
+    if isinstance(joint, Slot):
         return Message(
-            "the first end must start on the rail, but it is {aside:g} m away from it",
+            "the first end must start in the slot, but it is {aside:g} m away from it",
             aside=abs(aside),
         )
-    return None
+    return Message(
+        "the first end must start on the rail, but it is {aside:g} m away from it",
+        aside=abs(aside),
+    )
 
 
 def _stop_fault(stop: Stop, along: float, values: Values) -> Message | None:

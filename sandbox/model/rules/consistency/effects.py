@@ -80,8 +80,8 @@ def rotation_used(level: Level) -> Iterator[Fault]:
     if level.effects.rotation:
         if not (turning or level.effects.contact or _levers(level)):
             rule = Message(
-                "'rotation' is declared but nothing turns a body: no contact, joint or angular"
-                " velocity"
+                "'rotation' is declared but nothing turns a body: no contact, angular velocity or"
+                " torque, and joints and forces act on centres"
             )
             yield Fault(("effects", "rotation"), rule)
         return

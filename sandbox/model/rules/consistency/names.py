@@ -118,8 +118,10 @@ def _instant(path: Path, name: str) -> Message:
 def _taken_names(level: Level) -> Iterator[Fault]:
     for kind, names in (("bodies", level.bodies), ("joints", level.joints)):
         for name in names:
-            if name in ("system", "t"):
-                yield Fault((kind, name), "the name '{name}' is taken", name=name)
+            if name == "t":
+                yield Fault((kind, name), "'t' is the time; choose another name")
+            elif name == "system":
+                yield Fault((kind, name), "'system' is all bodies together; choose another name")
             elif kind == "joints" and name in level.bodies:
                 yield Fault((kind, name), "'{name}' is already the name of a body", name=name)
 

@@ -73,6 +73,35 @@ class RackEquation:
         )
 
 
+@dataclass(frozen=True, slots=True)
+class SlotEquation:
+    """A point slides along a straight slot of a body: n · (r − r_slot) is kept at 0 [m].
+
+    n is the normal to the right of the slot, given along the axes of its body, with which it turns.
+    So the tension is the force on the point to the left, as that of a rail is.
+    """
+
+    joint: str
+    end: Anchor
+    slot: Anchor
+    normal: complex
+    length: float = 0.0
+    changing: None = None
+    pulls_only: bool = False
+
+    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+        """Return how far the point is beside the slot, and its gradient."""
+        body, frame = number(self.end), number(self.slot)
+        normal = self.normal * exp(1j * place.angle[frame])
+        arm = self.end.point * exp(1j * place.angle[body])
+        apart = complex(place.plane[body] + arm - place.plane[frame])
+        beside = (normal.conjugate() * apart - self.normal.conjugate() * self.slot.point).real
+        return beside, (
+            Share(body, normal, (normal.conjugate() * 1j * arm).real),
+            Share(frame, -normal, ((1j * normal).conjugate() * apart).real),
+        )
+
+
 @dataclass(slots=True)
 class WindingEquation:
     """A string wound on a wheel: its length s ± R (φ − θ), free and wound, is kept [m].
