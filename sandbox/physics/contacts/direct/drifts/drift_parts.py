@@ -1,7 +1,7 @@
 """The parts of a drift that is cut where bodies land, and its outcome for the rest of the step."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -16,6 +16,7 @@ from sandbox.physics.contacts.direct.drifts.fallback_subdivision import (
 from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult, Stage
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
@@ -131,6 +132,32 @@ def others_of(part: DriftPart, laws: Array, reached: Booleans) -> tuple[Booleans
     mine = concerned(part.kick, reached)
     others = np.where(mine, 0.0, part.forces)
     return mine, others, laws + others @ part.kick.response
+
+
+def solved(part: DriftPart, mine: Booleans, *, driven: bool) -> DriftPart:
+    """Return a part with the forces of some rows, (r,), solved; those of the others stay.
+
+    Its `moved` has the velocities without the forces of these rows. `driven` as in `hold`.
+    """
+    kick, motion, lasts = part.kick, part.moved, part.lasts
+    slips = mine[kick.layout.slips]
+    some = replace(kick, layout=kick.layout.around(mine))
+    guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
+    forces = np.where(mine, part.forces * lasts, 0.0)
+    impulse, moved, held, flat = hold(some, motion, (forces, guess), driven=driven)
+    leaning = some.leaning(moved, impulse)
+    if leaning is not None:
+        impulse, moved, held, flat = hold(leaning, motion, (impulse, held), driven=driven)
+        kick = replace(leaning, layout=kick.layout)
+    return part._replace(
+        kick=kick,
+        forces=np.where(mine, impulse / lasts, part.forces),
+        active=Active(
+            np.where(mine, held.on, part.active.on), np.where(slips, held.slip, part.active.slip)
+        ),
+        moved=moved,
+        flat=flat,
+    )
 
 
 @dataclass(frozen=True)

@@ -23,13 +23,13 @@ from dataclasses import replace
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
 from sandbox.physics.contacts.direct.drifts.drift_parts import (
     DriftPart,
     around,
     concerned,
     moving,
     others_of,
+    solved,
 )
 from sandbox.physics.contacts.direct.drifts.first_landing import until_first
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON, FirstMeeting, MeetingFinder
@@ -43,7 +43,6 @@ from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import recalled
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans
 from sandbox.physics.joints.exact.constraint_interface import order
@@ -321,29 +320,7 @@ class DriftCutter:
         mine, _, drive = others_of(part, self._laws, self.reached)
         motion = part.begun + lasts * drive
         part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
-        if not mine.any():
-            return part
-        slips = mine[kick.layout.slips]
-        some = replace(kick, layout=kick.layout.around(mine))
-        guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
-        impulse, moved, held, flat = hold(
-            some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
-        )
-        leaning = some.leaning(moved, impulse)
-        if leaning is not None:
-            found = impulse, held
-            impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
-            kick = replace(leaning, layout=kick.layout)
-        return part._replace(
-            kick=kick,
-            forces=np.where(mine, impulse / lasts, part.forces),
-            active=Active(
-                np.where(mine, held.on, part.active.on),
-                np.where(slips, held.slip, part.active.slip),
-            ),
-            moved=moved,
-            flat=flat,
-        )
+        return solved(part, mine, driven=self._driven) if mine.any() else part
 
     def _closed(self, part: DriftPart) -> DriftPart:
         """Return a part in which corners have come down; see `closed`."""
