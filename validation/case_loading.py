@@ -44,8 +44,8 @@ from validation.formulas import (
 FOLDER = Path(__file__).parent / "cases"
 
 MODULES = (
-    chapter_code, energy, kinematics, lagrange, leapfrog, machines, mechanisms, momentum, newton,
-    pulleys, rotation,
+    chapter_code, energy, kinematics, lagrange, leapfrog, machines, mechanisms, momentum,
+    newton, pulleys, rotation,
 )  # fmt: skip
 
 NAMES: Mapping[str, object] = {
