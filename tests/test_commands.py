@@ -45,7 +45,8 @@ def test_every_function_that_declares_a_command_is_registered(module: ModuleType
     register = validating if module is validating else playing
     known = {name for where, name in COMMANDS if where is register}
     forgotten = {name.rstrip("_") for name in own - NOT_COMMANDS} - known
-    assert not forgotten, f"register {forgotten}, {module.__file__}"
+    place = "COMMANDS, sandbox/cli/commands/__init__.py" if register is playing else module.__file__
+    assert not forgotten, f"add {forgotten} to {place}"
 
 
 @every_command

@@ -26,6 +26,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant
 from sandbox.model.level_parts import names_in
+from sandbox.model.quantities import quantity
 from validation.case import FOURTH_ORDER, SECOND_ORDER, Case, Parameters, ends, textbook
 from validation.formulas import (
     chapter_code,
@@ -44,8 +45,8 @@ from validation.formulas import (
 FOLDER = Path(__file__).parent / "cases"
 
 MODULES = (
-    chapter_code, energy, kinematics, lagrange, leapfrog, machines, mechanisms, momentum, newton,
-    pulleys, rotation,
+    chapter_code, energy, kinematics, lagrange, leapfrog, machines, mechanisms, momentum,
+    newton, pulleys, rotation,
 )  # fmt: skip
 
 NAMES: Mapping[str, object] = {
@@ -132,6 +133,10 @@ def _expanded(path: Path, let: Mapping[str, Formula], table: Mapping[str, Any]) 
         raise TableError(f"{path}: unknown key in a table: {', '.join(sorted(odd))}")
     if "level" not in table:
         raise TableError(f"{path}: a table needs a level")
+    try:
+        textbook(table["level"])
+    except SandboxError as error:
+        raise TableError(f"{path}: {error}") from error
     defaults = {name: table[name] for name in (*NEEDED, *FREE) if name in table}
     choices = _choices(table["level"], table.get("over", [{}]))
     for parameters in choices:
@@ -175,6 +180,10 @@ def _case(
         raise TableError(f"{where} lacks {', '.join(missing)}")
     if odd := set(said) - {*NEEDED, *FREE}:
         raise TableError(f"{where}: unknown key: {', '.join(sorted(odd))}")
+    try:
+        quantity(said["quantity"], textbook(level))
+    except SandboxError as error:
+        raise TableError(f"{where}: {error}") from error
     expected = _closed_form(Formula(said["formula"]), let)
     if unknown := expected.unknown(list(textbook(level).parameters)):
         raise TableError(f"{where}: its formula has an unknown name: {', '.join(unknown)}")

@@ -25,8 +25,9 @@ from sandbox.app.runs.remedy_search import RemedySearch
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.undoing import UndoHistory
 from sandbox.app.stage.stage import Stage
-from sandbox.app.words import language, level_translation
+from sandbox.app.words import language
 from sandbox.app.words.language import later, say
+from sandbox.app.words.level_translation import title_of_level
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import without_links
@@ -48,22 +49,16 @@ class Workspace:
     """A level, its picture, and all panels, on a surface."""
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
-        pygame.display.init()
-        pygame.font.init()
-        pygame.display.set_caption(TITLE)
-        self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        self.surface = _open_surface(size)
         """The surface on which everything is drawn."""
         self.session: Session | None = None
         """The session of the level; None if the level cannot be opened."""
         self.path: Path | None = None
         """The file of the level; None if it has none yet."""
-        self.comfort = WindowPreferences(
-            max((h for _, h in pygame.display.get_desktop_sizes()), default=0)
-        )
+        desktop = max((h for _, h in pygame.display.get_desktop_sizes()), default=0)
+        self.comfort = WindowPreferences(desktop)
         """The user's preferences."""
-        self._followed = self.comfort.chosen
-        theme.use(self._followed.theme)
-        language.use(self.comfort.language)
+        self._follow_preferences()
         self.pen = Pen(self.comfort.scale)
         """The pen that renders text."""
         self.stage = Stage(self.pen, size)
@@ -115,12 +110,9 @@ class Workspace:
 
     def dress(self) -> None:
         """Apply preferences that have changed since the last call."""
-        chosen = self.comfort.chosen
-        if chosen is self._followed:
+        if self.comfort.chosen is self._followed:
             return
-        self._followed = chosen
-        theme.use(chosen.theme)
-        language.use(self.comfort.language)
+        self._follow_preferences()
         self.files.say_anew()
         self.pen.renew(self.comfort.scale)
         self.panels.renew(self.surface.size)
@@ -128,6 +120,12 @@ class Workspace:
             self.stage.use(self.session.world)
             self._entitle(self.session.original)
         self.lay_out()
+
+    def _follow_preferences(self) -> None:
+        """Use the theme and the language that are preferred now."""
+        self._followed = self.comfort.chosen
+        theme.use(self._followed.theme)
+        language.use(self.comfort.language)
 
     def lay_out(self) -> None:
         """Build everything around the stage for the current size of the window."""
@@ -166,7 +164,7 @@ class Workspace:
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
         ran = path.name.endswith(runfile.SUFFIX)
         try:
-            session = self._taken_again(path) if ran else self._begun(path, rate)
+            session = _replayed(path) if ran else self._begun(path, rate)
         except SandboxError as error:
             self._refuse(path, error)
             self._refused_rate = error.rate if isinstance(error, SimulationError) else None
@@ -213,13 +211,8 @@ class Workspace:
         parts = len(level.bodies) + len(level.joints)
         if parts > MANY:
             message = later("Building {title}: {count:,} bodies and joints …")
-            self._say_first(say(message, title=_title(level), count=parts))
+            self._say_first(say(message, title=legible(title_of_level(level)), count=parts))
         return Session(level, choose(level, self._settings), rate, patient=False)
-
-    @staticmethod
-    def _taken_again(path: Path) -> Session:
-        """Return a session of a run's file, which does not block the window."""
-        return runfile.session_of(runfile.read(path), patient=False)
 
     def _tell_of(self, session: Session, path: Path, *, ran: bool) -> None:
         """Announce what was opened, and remember the user's own files."""
@@ -335,12 +328,20 @@ class Workspace:
 
     @staticmethod
     def _entitle(level: Level) -> None:
-        pygame.display.set_caption(f"{_title(level)} – {TITLE}")
+        pygame.display.set_caption(f"{legible(title_of_level(level))} – {TITLE}")
 
 
-def _title(level: Level) -> str:
-    """Return the title of a level, in the current language."""
-    return legible(level_translation.of(level)(level.title))
+def _open_surface(size: tuple[int, int]) -> pygame.Surface:
+    """Open the surface of the window, in a size [px]."""
+    pygame.display.init()
+    pygame.font.init()
+    pygame.display.set_caption(TITLE)
+    return pygame.display.set_mode(size, pygame.RESIZABLE)
+
+
+def _replayed(path: Path) -> Session:
+    """Return a session of a run's file, which does not block the window."""
+    return runfile.session_of(runfile.read(path), patient=False)
 
 
 def _file(level: Level) -> Path | None:

@@ -16,8 +16,8 @@ def replay(path: Path) -> int:
     run = runfile.read(path)
     session = runfile.replay(run)
     same = runfile.is_same(run, session)
-    verdict = "the same to the last bit" if same else "it comes to another state than it did then"
-    did = f", {len(run.actions)} acts of a person" if run.actions else ""
+    verdict = "the same to the last bit" if same else "its final state differs from the saved one"
+    did = f", {len(run.actions)} actions of the user" if run.actions else ""
     typer.echo(f"{session.level.title}: {run.steps} steps to t = {session.t:.6g} s{did}: {verdict}")
     if not session.world.disturbed:
         passed = [result.verdict for result in grade(session.trace)]

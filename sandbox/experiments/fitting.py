@@ -95,7 +95,7 @@ def _inverse_square(jacobian: Array, names: Sequence[str]) -> Array:
     """Return (Jᵀ J)⁻¹ of the residuals' Jacobian; refuse one of less than full rank."""
     square = jacobian.T @ jacobian
     if not np.linalg.cond(square) < 1e14:
-        raise FitError("the data do not tell {names} apart from anything else", names=both(names))
+        raise FitError("the data do not determine {names}", names=both(names))
     return np.asarray(np.linalg.inv(square))
 
 

@@ -107,9 +107,9 @@ def parse(text: str, source: str = "<text>") -> Level:
 
 @contextmanager
 def _uncollected() -> Iterator[None]:
-    """Let no garbage be collected within this, which takes a third of the time for a large level.
+    """Switch off the garbage collector, which takes a third of the time for a large level.
 
-    Only parts that refer to each other wait for it; all others are freed as ever.
+    Only parts that refer to each other wait until it is on again; all others are freed as ever.
     """
     before = gc.isenabled()
     gc.disable()

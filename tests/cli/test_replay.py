@@ -27,7 +27,7 @@ def test_one_bit_is_told(run: Run, tmp_path: Path) -> None:
     outcome = run("replay", str(path))
 
     assert outcome.status == 1
-    assert "another state" in outcome.out
+    assert "final state differs" in outcome.out
 
 
 def test_a_file_that_is_none_is_wrong_usage(run: Run, tmp_path: Path) -> None:

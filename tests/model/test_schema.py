@@ -28,8 +28,8 @@ def _parts(part: object) -> Iterator[dict[str, Any]]:
 
 
 def test_the_file_is_what_the_models_say() -> None:
-    """If not: `python -m sandbox.model.schema` writes it."""
-    assert (level_catalog.root() / "level.schema.json").read_text(encoding="utf-8") == text()
+    written = (level_catalog.root() / "level.schema.json").read_text(encoding="utf-8")
+    assert written == text(), "run 'make docs'"
 
 
 def test_every_field_that_names_no_values_itself_has_examples() -> None:
@@ -37,7 +37,7 @@ def test_every_field_that_names_no_values_itself_has_examples() -> None:
     made = json.loads(text())
     bare = [f"{part}.{key}" for part, key, field in fields(made) if "examples" not in field]
 
-    assert not bare
+    assert not bare, f"use each in a level, or add it to sandbox/model/schema_examples.py: {bare}"
     assert made["$defs"]["Spring"]["properties"]["stiffness"]["examples"] == ["k", 50]
 
 

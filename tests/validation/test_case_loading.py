@@ -109,6 +109,8 @@ ways = "lambda times: times * kinematics.projectile_distance(slow, radians(angle
         ("order = 2", "ordr = 2", "'range of the low ball': unknown key: ordr"),
         ("over = ", "ovr = ", "unknown key in a table: ovr"),
         ("level = ", "# ", "a table needs a level"),
+        ("-angles", "-angels", "did you mean 'kinematics/complementary-angles'"),
+        ("position.x", "positin.x", "'range of the low ball': 'low.positin.x' is not a quantity"),
         ("radians(angle)", "radians(angel)", "formula has an unknown name: angel"),
         ("kinematics.", "kinematik.", "formula has an unknown name: kinematik"),
         (

@@ -27,7 +27,8 @@ def test_parts_have_names_of_their_own() -> None:
 
 
 def test_the_page_in_the_docs_is_the_map_as_it_is() -> None:
-    assert (level_catalog.sources() / PAGE).read_text(encoding="utf-8") == page()
+    written = (level_catalog.sources() / PAGE).read_text(encoding="utf-8")
+    assert written == page(), "run 'make docs'"
 
 
 def test_an_installed_package_writes_no_map(

@@ -203,8 +203,8 @@ def driven_by_weight(mass: float, radius: float, moment: float, g: float) -> flo
 def limited_drive(moment: float, most: float, rate: float, hold: float, t: ArrayLike) -> Array:
     """Return the angular velocity of a flywheel that a motor accelerates from rest [rad/s].
 
-    I dω/dt = min(T, K (Ω − ω)): T t / I until T / K is missing; then the missing part falls by
-    e^(−K t / I); K > T / Ω.
+    I dω/dt = min(T, K (Ω − ω)). It is T t / I until Ω − ω has fallen to T / K. From then on Ω − ω
+    falls as e^(−K t / I). K > T / Ω.
     """
     time, settling = np.asarray(t, dtype=float), moment / hold
     full = moment * rate / most - settling

@@ -26,7 +26,7 @@ LOOKS = 600
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HardCase:
-    """A scene that must hold."""
+    """A scene, and the bound that its figure must keep."""
 
     name: str
     """The claim, in a few words."""

@@ -50,7 +50,8 @@ def moved_inward(figure: float, before: Entry | None, tolerance: float) -> bool:
 def update(found: Mapping[str, tuple[float, float]], file: Path = FILE) -> None:
     """Record the present frontiers of the sandbox, and of pymunk alone.
 
-    A frontier that has not moved gets no new entry, unless pymunk's has by more than its noise.
+    A frontier that has not moved gets no new entry, unless pymunk's has moved by more than its
+    noise.
     """
     history = read(file)
     today = datetime.now(UTC).date().isoformat()

@@ -58,7 +58,7 @@ def _called(level: Level) -> str:
     """Return the name of a level; without a title, it is named after its latest body."""
     if is_untitled({"title": level.title}):
         return say("Untitled, with {body}", body=list(level.bodies)[-1])
-    return level_translation.of(level)(level.title)
+    return level_translation.title_of_level(level)
 
 
 def _recovering(left: Recoverable, editor: Editor, session: Session) -> RecoveryChoice:

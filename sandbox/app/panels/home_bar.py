@@ -33,7 +33,7 @@ class HomeBar(Bar):
             self._button(command, say(text), self._right, width)
             self._right -= px(MARGIN)
         if session is not None:
-            title = level_translation.of(session.original)(session.original.title)
+            title = level_translation.title_of_level(session.original)
             back = say("Go to {title}", title=pen.shorten(title, px(TITLE)))
             self._left = self._button(
                 "home", back, self._left, self._room(back, main=True), main=True

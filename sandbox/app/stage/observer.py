@@ -41,7 +41,7 @@ class Observer:
     def path(self, positions: Array) -> Array:
         """Return where the observer sees earlier positions now, (k, n, 2) [m].
 
-        These points are as far from its present position as the earlier ones from its earlier.
+        Each is as far from the observer's present position as it was from the earlier one.
         """
         return self.seen(positions) + self.here
 

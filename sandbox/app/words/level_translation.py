@@ -22,6 +22,11 @@ def of(level: Level) -> Say:
     return shown((text for _, text in prose(level)), level.source)
 
 
+def title_of_level(level: Level) -> str:
+    """Return the title of a level, translated into the current language."""
+    return of(level)(level.title)
+
+
 def shown(words: Iterable[str], source: str) -> Say:
     """Return the function that translates texts of a level's file into the current language."""
     if not _comes_along(source):

@@ -91,7 +91,8 @@ def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
     """Return a function of an effect's own module; raise `IncompleteError` if it has none."""
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):
-        raise IncompleteError(_message(effect, f"add a function '{function}' to {_file(effect)}"))
+        lacking = f"its law is incomplete: add a function '{function}' to {_file(effect)}"
+        raise IncompleteError(_message(effect, lacking))
     return getattr(module, function)
 
 
@@ -99,7 +100,7 @@ def _require(effect: Effect, law: Law | VelocityRotation) -> None:
     """Refuse a law that contradicts its effect's declaration."""
     needed = ("rate",) if effect.turns else ("add", "potential_energy")
     if lacking := [name for name in needed if not hasattr(law, name)]:
-        kind = "does no work ('book' is 'none'), so it is a Turn" if effect.turns else "is a Law"
+        kind = "does no work, so it is a VelocityRotation" if effect.turns else "is a Law"
         which = f"its law {kind}, but {type(law).__name__} in {_file(effect)}"
         raise IncompleteError(_message(effect, f"{which} has no '{lacking[0]}'"))
     if law.effect.name != effect.name:

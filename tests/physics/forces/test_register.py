@@ -243,7 +243,7 @@ def test_a_law_without_its_parts_is_told_with_its_file() -> None:
     (law,) = laws_of(EFFECTS["drag"])[0]
     turning = Effect(name="drag", book="none", sees=("velocity",))
 
-    with pytest.raises(IncompleteError, match=r"Turn, but Drag in .*forces/drag.py has no 'rate'"):
+    with pytest.raises(IncompleteError, match=r"VelocityRotation, but Drag .* has no 'rate'"):
         declared_laws._require(turning, law)
     with pytest.raises(IncompleteError, match=r"aether.py says that it is of 'drag'"):
         declared_laws._require(AETHER, law)

@@ -1,4 +1,4 @@
-"""The families of scenes, which scenes are drawn from.
+"""The families from which random scenes are drawn.
 
 A family is a function that builds a scene with a draft, the source of randomness. It builds what a
 person might build, and varies masses, sizes, surfaces and joints.

@@ -194,7 +194,7 @@ def carried(run: Run, force: float, *names: str) -> float:
 
 
 def floor_carries(run: Run) -> float:
-    """Return the relative error of the floor's force on a strut's foot, which is both weights."""
+    """Return the relative error of the floor's force on a strut's foot: both weights."""
     return carried(run, (mass(run, "weight") + mass(run, "foot")) * G, "foot")
 
 

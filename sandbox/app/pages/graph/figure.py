@@ -71,7 +71,7 @@ def figure(
         fields.append(Subplot(graph.unit, curves, (graph.up.low, graph.up.high)))
     span = graphs[0].across
     label = with_unit_in_brackets(across, units[across])
-    title = level_translation.of(session.original)(session.original.title)
+    title = level_translation.title_of_level(session.original)
     return Figure(title, label, (span.low, span.high), fields)
 
 

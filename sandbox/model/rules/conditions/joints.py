@@ -59,7 +59,7 @@ def conditions(level: Level) -> Iterator[Condition]:
 
 
 def _turning_fault(joint: Joint, level: Level, _values: Values) -> Message | None:
-    """Say that a joint's bodies cannot turn; a run with rotation switched off may do that."""
+    """Say that a joint needs bodies that can turn, which only `rotation` makes possible."""
     wheel = level.bodies[joint.ends[1]].type == "dynamic" if isinstance(joint, Winding) else False
     turns = isinstance(joint, Motor | Gear | Rack | AngleStop)
     if level.effects.rotation or not (wheel or turns):

@@ -87,7 +87,6 @@ fail, or report only its consequences."""
 _SIZES: tuple[Rule, ...] = (
     bodies.not_too_many,
     bodies.not_too_many_edges,
-    bodies.not_too_many_motions,
     joints.not_too_many_wires,
     stepping.not_too_many_pulls,
     stepping.not_too_many_sticking,

@@ -156,29 +156,24 @@ def not_too_many_edges(level: Level) -> Iterator[Fault]:
 
 
 def not_too_many(level: Level) -> Iterator[Fault]:
-    """Touching bodies have no more surfaces than pymunk can handle in reasonable time."""
-    if level.effects.contact is None:
-        return
-    count = sum(_pieces(body.shape) for body in level.bodies.values() if not body.sensor)
-    if count > MAX_SURFACES:
-        rule = Message(
+    """Bodies have no more surfaces and motions than can be handled in reasonable time."""
+    touching = level.bodies.values() if level.effects.contact is not None else ()
+    surfaces = sum(_pieces(body.shape) for body in touching if not body.sensor)
+    if surfaces > MAX_SURFACES:
+        yield Fault(
+            ("bodies",),
             "have {count:,} surfaces in all; at most {most:,} may touch",
-            count=count,
+            count=surfaces,
             most=MAX_SURFACES,
         )
-        yield Fault(("bodies",), rule)
-
-
-def not_too_many_motions(level: Level) -> Iterator[Fault]:
-    """Kinematic bodies have no more motions than can be looked through for jumps."""
-    count = sum(body.motion is not None for body in level.bodies.values())
-    if count > MAX_MOTIONS:
-        rule = Message(
+    motions = sum(body.motion is not None for body in level.bodies.values())
+    if motions > MAX_MOTIONS:
+        yield Fault(
+            ("bodies",),
             "have {count:,} motions; at most {most:,} can be checked for jumps",
-            count=count,
+            count=motions,
             most=MAX_MOTIONS,
         )
-        yield Fault(("bodies",), rule)
 
 
 def _pieces(shape: Shape) -> int:

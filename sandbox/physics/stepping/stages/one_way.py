@@ -1,4 +1,4 @@
-"""The stage of one-way surfaces: notes positions after steps; see `contacts/shapes/one_way.py`."""
+"""The stage of one-way surfaces: it notes the positions after each step."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.stage import Setup, Stage
