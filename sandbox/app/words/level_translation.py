@@ -56,7 +56,7 @@ def name_in(used: language.Name, name: str) -> str:
     parts that are drawn with the mouse are named by such words, too.
     """
     words = words_of_name(name)
-    number = name[len(words) :].replace("_", " ").strip()
+    number = name[len(name.rstrip("0123456789_")) :].replace("_", " ").strip()
     said = language.catalogue(used, "levels").pgettext(NAME, words) if words else ""
     return f"{said} {number}".strip()
 
