@@ -6,7 +6,7 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app.drawing import theme
+from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.forces.panel import ForcesPage
@@ -189,9 +189,9 @@ def test_a_body_that_moves_as_a_whole_has_no_arrows_at_its_corners(
     """The corners of a car and its load nearly hid the wheels, whose points differ in velocity."""
     view = stage(pen, run("machines/car-over-bumps", 240), "turning").view
     arrows = list[object]()
-    monkeypatch.setattr(turning.lines, "arrow", lambda *drawn: arrows.append(drawn))
+    monkeypatch.setattr(lines, "arrow", lambda *drawn: arrows.append(drawn))
 
-    turning.OVERLAY.draw(pygame.Surface(SIZE), view)
+    turning._draw(pygame.Surface(SIZE), view)
 
     wheels = [outline for outline in view.moving if outline.radius is not None]
     assert len(wheels) == 2
