@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING
 import pydantic_core
 
 from sandbox.app.translatable_texts import has_words, shown_keys, words
-from sandbox.app.words import language
+from sandbox.app.words import language, level_translation
+from sandbox.app.words.level_translation import words_of_name
 from sandbox.model import level_catalog
 from sandbox.model.annotated_fields import prose
 from sandbox.model.file_writing import generate, write_atomically
@@ -105,16 +106,18 @@ def said_in(sandbox: Path) -> list[Path]:
 
 
 def of_the_levels() -> "Catalog":
-    """Return all English texts of the levels, with their files: the fields marked as prose."""
+    """Return all English texts of the levels, with their files: prose, and the words of names."""
     from babel.messages.catalog import Catalog
 
     found = Catalog()
     for name in level_catalog.names():
         path = level_catalog.root() / f"{name}.json"
-        for _, text in prose(load(path)):
-            found.add(
-                text, locations=[(path.relative_to(level_catalog.root().parent).as_posix(), 1)]
-            )
+        level = load(path)
+        places = [(path.relative_to(level_catalog.root().parent).as_posix(), 1)]
+        for _, text in prose(level):
+            found.add(text, locations=places)
+        for part in filter(has_words, map(words_of_name, (*level.bodies, *level.joints))):
+            found.add(part, locations=places, context=level_translation.NAME)
     return found
 
 

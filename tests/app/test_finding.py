@@ -143,6 +143,15 @@ def test_what_is_typed_after_the_key_of_the_search_takes_the_place_of_what_was_s
     assert player.listed.sought == "skater"
 
 
+def test_where_no_level_has_all_words_those_with_most_of_them_are_found(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("fastest curved ramp")
+
+    titles = [entry.title for entry in player.listed.found]
+    assert titles[0] == "Ball down a curved ramp"
+    assert all("curved" in e.words and "ramp" in e.words for e in player.listed.found)
+
+
 def test_nonsense_finds_nothing_and_says_so(player: Person) -> None:
     before = player.window.surface.copy()
     player.press(pygame.K_SLASH, "/")

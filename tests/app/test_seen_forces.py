@@ -6,11 +6,12 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app.drawing import theme
+from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
+from sandbox.app.stage import overlay_key
 from sandbox.app.stage.joint_paths import between_ends
 from sandbox.app.stage.overlays import contacts, loads, turning
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -180,6 +181,34 @@ def test_a_wheel_that_rolls_turns_about_its_point_of_contact(pen: Pen) -> None:
         assert away == pytest.approx(outline.radius, rel=1e-6)
         across = (center[0] - x) * vx + (center[1] - y) * vy
         assert abs(across) < 1e-9  # straight below it, seen along the slope
+
+
+def test_a_body_that_moves_as_a_whole_has_no_arrows_at_its_corners(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The corners of a car and its load nearly hid the wheels, whose points differ in velocity."""
+    view = stage(pen, run("machines/car-over-bumps", 240), "turning").view
+    arrows = list[object]()
+    monkeypatch.setattr(lines, "arrow", lambda *drawn: arrows.append(drawn))
+
+    turning._draw(pygame.Surface(SIZE), view)
+
+    wheels = [outline for outline in view.moving if outline.radius is not None]
+    assert len(wheels) == 2
+    assert len(arrows) == len(wheels) * turning.AROUND
+
+
+@pytest.mark.parametrize("width", [620, 440, 360])
+def test_a_key_too_wide_for_the_stage_is_written_smaller(pen: Pen, width: int) -> None:
+    found = Stage(pen, (width, 500), plain=True)
+    found.use(run("hard/arch", 5).world)
+    found.fit()
+    rows = [(lambda *_: None, "slides: the force lies on the edge of the friction cone")]
+    drawn = pygame.Surface((width, 500))
+
+    overlay_key.draw(drawn, found.view, rows, "key of a test")
+
+    assert (pygame.surfarray.array3d(drawn) == theme.PANEL).all(axis=2).any()
 
 
 @pytest.mark.parametrize("overlay", [contacts.OVERLAY, loads.OVERLAY, turning.OVERLAY])

@@ -241,10 +241,14 @@ class LevelList:
 
     @property
     def found(self) -> list[Entry]:
-        """The levels that contain all words of the search, the likeliest first."""
+        """The levels with most, if possible all words of the search, the likeliest first."""
         words = self.sought.casefold().split()
-        found = [e for e in self._levels if all(word in e.words for word in words)]
-        return sorted(found, key=lambda e: rank(e, words)) if words else found
+        if not words:
+            return list(self._levels)
+        known = [(e, [word for word in words if word in e.words]) for e in self._levels]
+        most = max((len(contained) for _, contained in known), default=0) or 1
+        found = [each for each in known if len(each[1]) == most]
+        return [e for e, _ in sorted(found, key=lambda each: rank(*each))]
 
     def clear(self) -> None:
         """End the search."""

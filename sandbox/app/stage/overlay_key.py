@@ -10,6 +10,7 @@ from sandbox.model.shapes import XY
 
 MARGIN = 8  # px, from the corner
 SAMPLE = 46  # px, the width of a sample
+SIZES = 12, 10, 8  # px, of letters
 HIGHER = 18
 """The number of rows by which a key may stand above others."""
 
@@ -18,10 +19,18 @@ Row = tuple[Callable[[pygame.Surface, XY, XY], None], str]
 
 
 def draw(surface: pygame.Surface, view: View, rows: Sequence[Row], name: str) -> None:
-    """Draw a key of some rows, above any other there; it is left out if there is no room."""
-    texts = [view.pen.write(text, 12) for _, text in rows]
-    wide, high = view.pen.px(SAMPLE), max(text.height for text in texts) + 2
-    size = wide + 3 * MARGIN + max(text.width for text in texts), len(rows) * high + MARGIN
+    """Draw a key of some rows, above any other there; it is left out if there is no room.
+
+    Text that is too wide for the stage is written smaller.
+    """
+    wide = view.pen.px(SAMPLE)
+    for letters in SIZES:
+        texts = [view.pen.write(text, letters) for _, text in rows]
+        width = wide + 3 * MARGIN + max(text.width for text in texts)
+        if width + MARGIN <= view.labels.bounds.width:
+            break
+    high = max(text.height for text in texts) + 2
+    size = width, len(rows) * high + MARGIN
     corner = view.labels.bounds.move(MARGIN, -MARGIN).bottomleft
     lowest = pygame.Rect((0, 0), size).move_to(bottomleft=corner)
     box = view.labels.find([lowest.move(0, -i * high) for i in range(HIGHER)], name=name)

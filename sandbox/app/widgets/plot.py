@@ -1,6 +1,6 @@
 """Draws lines over numbered axes, for all graphs."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from math import ceil, degrees, floor
 from typing import NamedTuple
 
@@ -174,7 +174,7 @@ def _draw_heights(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> 
     """Draw lines at round values of y, and the values."""
     left, offset = round(span.start), _offset(up)
     beyond = Scale(up.low - offset, up.high - offset, up.start, up.end)
-    for value in beyond.ticks(4):
+    for value in _ticks_apart(beyond, lambda text: pen.write(text, 11).height, 0):
         y = round(float(beyond.pixels(np.array(value))))
         pygame.draw.line(surface, theme.GRID_STRONG, (left, y), (span.end, y))
         text = pen.write(_brief(value), 11, theme.DIM)
@@ -184,7 +184,7 @@ def _draw_heights(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> 
 def _draw_widths(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:
     """Draw lines at round values of x, and the values."""
     bottom = round(up.start)
-    for value in _ticks_apart(pen, span):
+    for value in _ticks_apart(span, lambda text: pen.write(text, 11).width, pen.px(GAP)):
         x = round(float(span.pixels(np.array(value))))
         pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
         text = pen.write(_brief(value), 11, theme.DIM)
@@ -211,13 +211,13 @@ def _tell_offset(
     surface.blit(told, next(filter(free, corners), corners[0]))
 
 
-def _ticks_apart(pen: Pen, span: Scale) -> Sequence[float]:
+def _ticks_apart(span: Scale, size: Callable[[str], int], gap: int) -> Sequence[float]:
     """Return the ticks of an axis, as many as there is room for their numbers."""
     for most in (4, 2, 1):
         ticks = [*span.ticks(most)]
-        widest = max((pen.write(_brief(value), 11).width for value in ticks), default=0)
-        apart = (span.end - span.start) * (ticks[1] - ticks[0] if len(ticks) > 1 else 1.0)
-        if len(ticks) < 2 or apart / (span.high - span.low) > widest + pen.px(GAP):
+        largest = max((size(_brief(value)) for value in ticks), default=0)
+        apart = abs(span.end - span.start) * (ticks[1] - ticks[0] if len(ticks) > 1 else 1.0)
+        if len(ticks) < 2 or apart / (span.high - span.low) > largest + gap:
             break
     return ticks
 

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 
+from sandbox.app.words import language, level_translation
 from sandbox.app.words.language import later, plural, say
 from sandbox.app.words.level_translation import Say
 from sandbox.model.effect_variants import Variation, shown
@@ -98,8 +99,7 @@ def shown_unit(unit: str) -> str:
 
 def name_in_words(name: str) -> str:
     """Return the name of a body or joint as it is read: rear axle 2, not rear_axle2."""
-    word = name.rstrip("0123456789")
-    return " ".join(f"{word} {name[len(word) :]}".replace("_", " ").split())
+    return level_translation.name_in(language.used(), name)
 
 
 def bounds(outcome: Outcome) -> str:

@@ -16,6 +16,9 @@ from sandbox.model.level import Check, Level
 Say = Callable[[str], str]
 """Translates a text of a level."""
 
+NAME = "name"
+"""The context of the names of bodies and joints in the catalogues of the levels."""
+
 
 def of(level: Level) -> Say:
     """Return the function that translates the texts of a level into the current language."""
@@ -43,6 +46,24 @@ def shown(words: Iterable[str], source: str) -> Say:
 def _comes_along(source: str) -> bool:
     """Whether a file is one of the project's levels."""
     return Path(source).is_relative_to(level_catalog.root())
+
+
+def words_of_name(name: str) -> str:
+    """Return the words of the name of a body or joint: rear axle of rear_axle2."""
+    return name.rstrip("0123456789_").replace("_", " ").strip()
+
+
+@lru_cache(maxsize=4096)
+def name_in(used: language.Name, name: str) -> str:
+    """Return the name of a body or joint as it is read in a language: Hinterachse 2.
+
+    Words that name a part of a level of the project are translated, whatever level uses them: the
+    parts that are drawn with the mouse are named by such words, too.
+    """
+    words = words_of_name(name)
+    number = name[len(name.rstrip("0123456789_")) :].replace("_", " ").strip()
+    said = language.catalogue(used, "levels").pgettext(NAME, words) if words else ""
+    return f"{said} {number}".strip()
 
 
 def title(check: Check, say: Say) -> str:

@@ -93,8 +93,10 @@ def fast(scene: Scene, speeds: Array, located: Container[str] = ()) -> Iterator[
     for (name, body), speed, moves in zip(
         scene.bodies.items(), speeds.tolist(), (scene.mass > 0).tolist(), strict=True
     ):
+        if not moves or speed == 0 or name in located:
+            continue
         wide = min(map(width, plain(body.shapes)), default=0.0)
-        if moves and wide > THIN and speed > 0 and name not in located:
+        if wide > THIN:
             yield RateBound(speed / wide, Message("the body '{name}'", name=name))
 
 

@@ -32,7 +32,7 @@ def start(setup: Setup, stages: Stages, observer: Observer) -> Observation:
 def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array) -> Observation:
     scene, kicks, forces = setup.scene, setup.kicks, setup.forces
     lasts = kicks.parts[-1].kick / 2
-    with kicks.held():
+    with kicks.held(first=True):
         after, direct = kicks.begin(lasts, velocity), scene.direct
         if direct and direct.drifts.kicked is not None:
             after = direct.drifts.kicked

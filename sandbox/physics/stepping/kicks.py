@@ -103,9 +103,9 @@ class Kicks:
         if self._hook:
             self._hook.kick = kick
 
-    def held(self) -> AbstractContextManager[None]:
-        """Hold all bodies in place, between two steps; see `settle`."""
-        return self._held.held()
+    def held(self, *, first: bool = False) -> AbstractContextManager[None]:
+        """Hold all bodies in place, between two steps or before the `first`; see `settle`."""
+        return self._held.held(first=first)
 
     @contextmanager
     def tried(self) -> Iterator[None]:

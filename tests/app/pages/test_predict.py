@@ -433,6 +433,15 @@ def test_a_prediction_ends_with_its_level(asked: Person, tmp_path: Path) -> None
     assert not asked.session.locked
 
 
+def test_a_prediction_ends_with_its_level_if_the_next_has_no_such_quantity(asked: Person) -> None:
+    """The page was laid out for the question of the level before, and the window ended."""
+    asked.window.open_level("momentum/cradle")
+    asked.wait(0.1)
+
+    assert predicting(asked).question is None
+    assert asked.page(PredictPage).list.item_list
+
+
 def test_what_a_hand_did_before_or_while_it_is_asked_belongs_to_the_run(
     asked: Person, written: list[str]
 ) -> None:

@@ -19,13 +19,35 @@ SIZE = 278, 150  # px
 def test_the_numbers_of_an_axis_keep_apart(pen: Pen, end: float, width: int) -> None:
     span = plot.across(pen, width, [np.array([0.0, end])])
 
-    ticks = plot._ticks_apart(pen, span)
+    ticks = plot._ticks_apart(span, lambda text: pen.write(text, 11).width, pen.px(GAP))
 
     assert ticks
     places = span.pixels(np.array(ticks))
     half = [pen.write(plot._brief(tick), 11).width / 2 for tick in ticks]
     for i in range(len(ticks) - 1):
         assert places[i] + half[i] + pen.px(GAP) / 2 < places[i + 1] - half[i + 1]
+
+
+@pytest.mark.parametrize("text_scale", [1.0, 1.25, 1.5])
+@pytest.mark.parametrize("height", [72, 90, 150])
+def test_the_numbers_beside_a_low_graph_do_not_cover_each_other(
+    height: int, text_scale: float
+) -> None:
+    """Each line at a round value has a number of its own, with empty rows around it."""
+    pygame.font.init()
+    pen, x = Pen(text_scale), np.linspace(0.5, 1.0, 9)
+    span = plot.across(pen, SIZE[0], [np.array([0.0, 1.0])])
+    series = Series(theme.ACCENT, x, 4.4 + 0.7 * x)
+
+    drawn = pygame.surfarray.array3d(plot.draw(pen, (SIZE[0], height), [series], span, None))
+
+    start, bottom = round(span.start), height - pen.px(plot.BELOW)
+    lines = (drawn[start + 2, :bottom] == theme.GRID_STRONG).all(axis=1).sum()
+    written = (drawn[: start - 3] != theme.STAGE).any(axis=(0, 2))
+    written[bottom + pen.px(2) :] = False
+    numbers = np.count_nonzero(np.diff(written.astype(int)) == 1)
+    assert lines >= 1
+    assert numbers == lines
 
 
 def test_what_is_kept_in_radians_is_numbered_in_degrees(

@@ -8,7 +8,9 @@ import pygame
 import pytest
 
 from sandbox.app.drawing.text import Pen
+from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.words import language, level_translation
+from sandbox.app.words.formatting import name_in_words
 from sandbox.model import level_catalog
 from sandbox.model.annotated_fields import prose
 from sandbox.model.loading import load
@@ -138,6 +140,53 @@ def test_the_cards_of_the_home_page_are_german_after_a_switch(
     assert "Free fall" not in drawn
     speak(person, "en")
     assert person.window.panels.home.grid.cards[1][0].title == "Free fall"
+
+
+def test_a_body_is_named_in_german_on_the_stage_and_where_its_forces_are_listed(
+    drawn: set[str], person: Person
+) -> None:
+    speak(person, "de")
+    drawn.clear()
+    person.window.open_level("newton/incline")
+    person.session.step()
+    person.press(pygame.K_j, "j")
+    x, y = person.session.world.snapshot.position[0].tolist()
+    person.click(person.on_screen((x, y)))
+    person.wait(0.1)
+
+    assert {"Klotz", "Kräfte auf Klotz"} <= drawn
+    assert "block" not in drawn
+
+
+@pytest.mark.usefixtures("german")
+@pytest.mark.parametrize(
+    ("name", "read"),
+    [
+        ("rear_axle2", "Achse am Heck 2"),
+        ("box1_3", "Kiste 1 3"),
+        ("a1", "a 1"),
+        ("my_own", "my own"),
+    ],
+)
+def test_names_are_read_in_german_if_levels_of_the_project_use_their_words(
+    name: str, read: str
+) -> None:
+    assert name_in_words(name) == read
+
+
+@pytest.mark.parametrize("typed", ["klotz accel", "block.accel"])
+def test_a_quantity_is_found_by_the_name_on_the_stage_and_by_its_own(
+    person: Person, typed: str
+) -> None:
+    speak(person, "de")
+    person.window.open_level("newton/incline")
+    person.press(pygame.K_d, "d")
+    person.click(person.page(GraphPage).sought.rect)
+    person.type(typed)
+
+    listed = [item["text"] for item in person.page(GraphPage).up.item_list]
+    assert listed
+    assert all(n.startswith("block.") and "acceleration" in n for n in listed)
 
 
 @pytest.mark.parametrize("typed", ["freier", "free fall", "losgelassen"])

@@ -5,6 +5,7 @@ import os
 from collections.abc import Callable
 
 import numpy as np
+import pymunk
 import pytest
 
 from sandbox.model.level import Level, Stepping
@@ -13,6 +14,7 @@ from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping import held_kicks
 from sandbox.physics.stepping.make_world import make_world
 from tests.elsewhere import python
 from tests.physics.scenes import (
@@ -192,6 +194,20 @@ def test_a_body_that_is_nowhere_any_more_stops_the_run(contact: bool) -> None:
         world.advance()
     assert world.snapshot.t == 0
     assert np.isfinite(world.snapshot.position).all()
+
+
+def test_before_the_first_step_only_bodies_that_move_are_held(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """pymunk calls Python for each of them, at each of up to 500 repetitions of a kick."""
+    held = set[pymunk.Body]()
+    monkeypatch.setattr(held_kicks, "_stay", lambda body, _: held.add(body))
+    things = {"resting": disc((0, 1)), "flying": disc((2, 1), velocity=(3, 4)), "floor": floor()}
+
+    world = build(level(things, {**GRAVITY, "contact": {"solver": "iterative"}}))
+
+    assert held == {world.scene.bodies["flying"]}
+    assert world.snapshot.position.tolist() == [[0, 1], [2, 1], [0, 0]]
 
 
 def test_there_is_no_state_to_observe_without_a_step() -> None:

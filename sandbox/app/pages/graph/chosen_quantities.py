@@ -7,6 +7,7 @@ from sandbox.app.background import BackgroundTask
 from sandbox.app.pages.graph.figure import Figure, saved
 from sandbox.app.pages.graph.zoom import WHOLE, Zoom
 from sandbox.app.runs.session import Session
+from sandbox.app.words.formatting import name_in_words
 from sandbox.app.words.language import say
 from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level import Check, Level
@@ -27,6 +28,11 @@ def offered(level: Level) -> list[str]:
     moving = (found.name for found in momentary(level) if found.subject not in static)
     still = (found.name for found in momentary(level) if found.subject in static)
     return list(islice(chain(moving, still), MOST))
+
+
+def words_for_search(quantity: str) -> str:
+    """Return the words by which a quantity is found: its own, and the body's as it is read."""
+    return f"{quantity} {name_in_words(quantity.partition('.')[0])}".casefold()
 
 
 class Choice(BackgroundTask):

@@ -16,7 +16,7 @@ from sandbox.app.cards.card import heading
 from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.card import graphs, span_of
-from sandbox.app.pages.graph.chosen_quantities import Choice, offered
+from sandbox.app.pages.graph.chosen_quantities import Choice, offered, words_for_search
 from sandbox.app.pages.graph.figure import figure
 from sandbox.app.pages.graph.zoom import NOTCH, SHIFT, WHOLE, Zooming
 from sandbox.app.pages.page import Desk
@@ -191,9 +191,9 @@ class GraphPage:
         return ""
 
     def _seek(self) -> None:
-        """List the names that contain the typed letters, with the chosen ones marked."""
-        letters = self.sought.get_text().casefold().strip()
-        found = [name for name in self._names if letters in name.casefold()]
+        """List the names that contain all typed words, with the chosen ones marked."""
+        words = self.sought.get_text().casefold().split()
+        found = [name for name in self._names if all(w in words_for_search(name) for w in words)]
         chosen = [name for name in self._choice.up(self._session) if name in found]
         place = self.up.relative_rect
         self.up.kill()

@@ -43,6 +43,7 @@ class PredictPage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         self._predicting = desk.worker(PredictionWorker)
+        self._predicting.turn_to(desk.session)
         self._questions: tuple[Check, ...] = ()
         self._head = sheet.image(self._drawn_head(), sheet.margin // 2)
         self.list = self._listed([])

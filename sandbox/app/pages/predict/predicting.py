@@ -49,6 +49,12 @@ class PredictionWorker(BackgroundTask):
         self._world: object = None  # the run that is judged
         self.news = object()
 
+    def turn_to(self, session: Session) -> None:
+        """Forget what was asked in any other session: its level need not have the quantity."""
+        if session is not self._session:
+            self._forget()
+            self._session = session
+
     def ask(self, session: Session, question: Check) -> None:
         """Lock the run until the question is answered.
 
@@ -98,9 +104,7 @@ class PredictionWorker(BackgroundTask):
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Keep the run locked, or judge it; return a message for the user, or None."""
-        if session is not self._session:
-            self._forget()
-            self._session = session
+        self.turn_to(session)
         if self.question is None:
             return None
         if session.world is not self._world and self._outdated(session):

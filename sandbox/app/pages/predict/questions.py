@@ -1,5 +1,6 @@
 """The questions that a level allows."""
 
+from sandbox.app.words.formatting import name_in_words
 from sandbox.app.words.language import later, say
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import (
@@ -30,12 +31,14 @@ def when(at: Instant | None) -> str:
     """Return a description of an instant."""
     match at:
         case ApexEvent(body=body):
-            return say("when {body} stops rising", body=body)
+            return say("when {body} stops rising", body=name_in_words(body))
         case LandingEvent(body=body):
-            return say("when {body} lands", body=body)
-        case ContactEvent(bodies=(a, b), nth=nth):
+            return say("when {body} lands", body=name_in_words(body))
+        case ContactEvent(bodies=bodies, nth=nth):
+            a, b = map(name_in_words, bodies)
             return say("just after {a} and {b} meet", a=a, b=b) + _again(nth)
-        case SeparationEvent(bodies=(a, b), nth=nth):
+        case SeparationEvent(bodies=bodies, nth=nth):
+            a, b = map(name_in_words, bodies)
             return say("when {a} and {b} part", a=a, b=b) + _again(nth)
         case CrossingEvent(quantity=name, value=value):
             message = later("when {quantity} first comes to {value}")

@@ -5,7 +5,7 @@ off it, that is at rest: the instantaneous centre of rotation, at (-vy, vx) / w 
 mass. All others go round it.
 """
 
-from math import cos, dist, sin, tau
+from math import cos, dist, hypot, sin, tau
 
 import pygame
 
@@ -24,6 +24,10 @@ RADIUS = 5.0  # px, of the sign of the centre of rotation
 WIDTH = 2.0  # px, of an arrow
 AT_REST = 1e-9
 """The rotation in the time of an arrow below which a body does not turn [rad]."""
+
+ALIKE = 0.25
+"""The ratio of the velocity of turning to that of the centre of mass below which a body is taken
+to move as a whole."""
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
@@ -45,10 +49,16 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 def _draw_velocities(
     surface: pygame.Surface, view: View, outline: Outline, spin: float, ahead: float
 ) -> None:
-    """Draw the displacement of points of a body in some time [s], at a rate of turning [rad/s]."""
+    """Draw the displacement of points of a body in some time [s], at a rate of turning [rad/s].
+
+    Nothing is drawn where all of them are nearly alike.
+    """
     (x, y), angle = view.state(outline)
     vx, vy = view.velocity(outline)
-    for px, py in _points(outline, (x, y), angle):
+    points = _points(outline, (x, y), angle)
+    if abs(spin) * max(dist((x, y), point) for point in points) < ALIKE * hypot(vx, vy):
+        return
+    for px, py in points:
         u, v = vx - spin * (py - y), vy + spin * (px - x)
         start = view.camera.to_screen((px, py))
         end = view.camera.to_screen((px + u * ahead, py + v * ahead))
