@@ -4,7 +4,6 @@ A `Level` is frozen: it describes a scene and never changes. Everything that mov
 that `sandbox.physics` builds from it.
 """
 
-from collections import Counter
 from collections.abc import Mapping
 from itertools import chain
 from math import ceil
@@ -20,29 +19,17 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from sandbox.model.acting_events import MOST_EVENTS, Event, bouncing, breakable, cut, tied
+from sandbox.model.acting_events import MOST_EVENTS, Event, bouncing, breakable
 from sandbox.model.annotated_fields import Prose
 from sandbox.model.base import Model, Name
 from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
-from sandbox.model.effects.contact import Contact
 from sandbox.model.expressions import Expression, Positive, Values
 from sandbox.model.functions import Formula
 from sandbox.model.joints import (
-    AngleStop,
-    Held,
     Joint,
-    Own,
-    Pulley,
-    Rope,
-    Stop,
-    Winding,
-    bodies_of,
-    body_of,
-    is_exact,
-    points,
 )
 from sandbox.model.json_positions import Path
 from sandbox.model.measuring_instants import ApexEvent as ApexEvent
@@ -72,15 +59,6 @@ ROUNDING = 1e-12
 
 HIGHEST_RATE = 100_000
 """The highest rate [Hz]."""
-
-MOST_SPRUNG = 20
-"""The most moving bodies of a level with springs alone whose contacts are solved directly by
-default. A landing block of 16 discs on springs takes 3 ms a step, one of 25 takes 5 ms, more than
-a step at 240 Hz lasts."""
-
-MOST_PILED = 50
-"""The most moving bodies of a level without joints whose contacts are solved directly by default. A
-wall of 46 bricks takes 14 ms a step, a pour of 30 discs 40 ms; one of 60 takes 0.3 s."""
 
 FINEST = 1e-14
 """The smallest accuracy that may be asked for; anything below is rounding."""
@@ -263,96 +241,3 @@ class Level(Model):
     def defaults(self) -> Values:
         """The parameters' default values."""
         return {name: parameter.value for name, parameter in self.parameters.items()}
-
-
-def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
-    """Whether contacts are solved directly, together with the exact joints.
-
-    If the effect `contact` leaves that open, they are if the level has exact joints, or bodies that
-    may press on each other, or bodies that stick and impacts that are located, or if the stepping
-    (the level's own by default) asks for it, and if it is possible.
-    """
-    contact = level.effects.contact
-    if contact is None:
-        return False
-    if contact.solver is not None:
-        return contact.solver == "direct"
-    joined = any(map(is_exact, level.joints.values()))
-    sticks = contact.located and level.effects.sticking
-    stepping = stepping or level.stepping
-    needed = joined or sticks or stepping.solver == "direct"
-    if not needed and not stepping.solver and not stepping.is_stock:
-        needed = _may_press(level, contact)
-    return bool(needed) and may_be_direct(level)
-
-
-def _may_press(level: Level, contact: Contact) -> bool:
-    """Whether bodies may press on each other, few enough move, and pymunk finds the impacts.
-
-    On springs one body is enough. Without joints there must be a second one, and a force: a gas is
-    not pressed, and what rests on immovable bodies alone needs only a few sweeps. They also part
-    bodies that overlap at the start.
-    """
-    if contact.located or contact.overlaps or level.effects.in_sequence:
-        return False
-    moving = sum(body.type == "dynamic" for body in level.bodies.values())
-    if level.joints:
-        return moving <= MOST_SPRUNG
-    return 1 < moving <= MOST_PILED and any(e.is_force for e in level.effects.declarations)
-
-
-def may_be_direct(level: Level) -> bool:
-    """Whether contacts may be solved directly, and the level leaves that open.
-
-    It must not have what needs pymunk's solver: pymunk's own joints, or located ends of slipping.
-    """
-    contact, friction = level.effects.contact, level.effects.friction
-    if contact is None or contact.solver is not None:
-        return False
-    joints = level.joints.values()
-    left = any(isinstance(joint, Own) and not joint.exact for joint in joints)
-    return not left and not (friction and friction.located)
-
-
-def may_catch(level: Level, stepping: Stepping | None = None) -> bool:
-    """Whether one-sided joints of a level without contacts may catch: ropes, windings, stops.
-
-    Strings that share a body with another exact joint are among them, but not stops that rebound.
-    """
-    joints, stepping = level.joints.values(), stepping or level.stepping
-    if level.effects.contact or stepping.scheme != "leapfrog":
-        return False
-    if any(isinstance(joint, Own) and not joint.exact for joint in joints):
-        return False
-    sided = (joint for joint in joints if isinstance(joint, Rope | Winding | Stop | AngleStop))
-    if any(getattr(joint, "restitution", None) is None for joint in sided):
-        return True
-    return sum(isinstance(joint, Pulley) for joint in joints) > len(_lone_strings(level))
-
-
-def is_alone(name: str, level: Level) -> bool:
-    """Whether a joint is a plain string that shares no moving body with another exact joint.
-
-    None is alone if contacts are solved directly, or if one-sided joints may catch, or if an event
-    cuts or ties it, or if it may break.
-    """
-    joint = level.joints[name]
-    if not isinstance(joint, Pulley) or is_direct(level) or may_catch(level):
-        return False
-    return name in _lone_strings(level)
-
-
-def _lone_strings(level: Level) -> set[str]:
-    """Return the plain strings over pegs that share no moving body with another exact joint."""
-    exact = (joint for joint in level.joints.values() if is_exact(joint))
-    counts = Counter(body for joint in exact for body in set(bodies_of(joint)))
-    changed, found = cut(level.events, level.joints) | tied(level.events), set()
-    for name, joint in level.joints.items():
-        if not isinstance(joint, Pulley) or name in changed:
-            continue
-        first, *pegs, last = points(joint)
-        plain = not (isinstance(first, Held) or isinstance(last, Held) or any(map(body_of, pegs)))
-        moving = (body for body in bodies_of(joint) if level.bodies[body].type == "dynamic")
-        if plain and all(counts[body] == 1 for body in moving):
-            found.add(name)
-    return found

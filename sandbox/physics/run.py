@@ -12,7 +12,8 @@ import numpy as np
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level, Stepping, may_be_direct
+from sandbox.model.level import Level, Stepping
+from sandbox.model.solver_choice import may_be_direct
 from sandbox.physics.accuracy.calibration_cache import resolved
 from sandbox.physics.accuracy.compared_runs import lasting
 from sandbox.physics.energy.book_closure import Closer

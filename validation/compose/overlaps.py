@@ -3,7 +3,7 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.level import is_direct
+from sandbox.model.solver_choice import is_direct
 from validation.compose.recorded_run import Course
 from validation.compose.separation import Couple
 

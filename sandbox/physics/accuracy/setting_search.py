@@ -14,8 +14,9 @@ from time import thread_time
 from typing import Literal
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping, is_direct, may_be_direct
+from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
 from sandbox.model.schemes import unsmooth
+from sandbox.model.solver_choice import is_direct, may_be_direct
 from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
 from sandbox.physics.accuracy.compared_runs import (
     Stop,

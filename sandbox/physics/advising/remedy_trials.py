@@ -15,7 +15,8 @@ from typing import NamedTuple
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact
-from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.model.solver_choice import is_direct
 from sandbox.model.translatable_message import NOTHING, Message, both, joined
 from sandbox.physics.guarding.step_rate_bounds import needed
 from sandbox.physics.measuring.recording import count_steps

@@ -31,8 +31,9 @@ from sandbox.model.joints import (
     is_exact,
     points,
 )
-from sandbox.model.level import Level, is_alone
+from sandbox.model.level import Level
 from sandbox.model.shapes import XY, Point, evaluate
+from sandbox.model.solver_choice import is_alone
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.forces.spring import Law, SpringForce

@@ -12,7 +12,8 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping, is_direct, may_catch
+from sandbox.model.level import Level, Stepping
+from sandbox.model.solver_choice import is_direct, may_catch
 from sandbox.physics.engine.bodies import make_body
 from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.forces.declared_laws import gravity, laws, mass_share

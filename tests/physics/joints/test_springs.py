@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from sandbox.model.expressions import Array
-from sandbox.model.level import MOST_SPRUNG, Level, is_direct
+from sandbox.model.level import Level
+from sandbox.model.solver_choice import MOST_SPRUNG, is_direct
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.motion import Motion

@@ -8,7 +8,7 @@ from sandbox.model.errors import brief
 from sandbox.model.excluded_pairs import apart
 from sandbox.model.joints import Own, bodies_of, is_exact
 from sandbox.model.json_positions import Path
-from sandbox.model.level import ContactEvent, Level, SeparationEvent, is_alone
+from sandbox.model.level import ContactEvent, Level, SeparationEvent
 from sandbox.model.level_parts import Fault
 from sandbox.model.number_bounds import MOST_PAIRS
 from sandbox.model.rules.consistency.bodies import given
@@ -19,6 +19,7 @@ from sandbox.model.rules.consistency.mentions import (
     named_quantities,
 )
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop
+from sandbox.model.solver_choice import is_alone
 from sandbox.model.translatable_message import Message, both
 
 
