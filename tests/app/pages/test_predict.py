@@ -24,6 +24,7 @@ from sandbox.app.words.language import say
 from sandbox.app.words.typed_numbers import read
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.effect_variants import Variation
+from sandbox.model.expressions import Expression
 from sandbox.physics.run import simulate
 from tests.app import scenes
 from tests.app.person import Person, until
@@ -349,9 +350,14 @@ def test_without_an_instant_the_end_of_the_run_is_asked_for() -> None:
 
     outcome = judged(question, simulate(level), 10)
 
-    assert when(question.at) == "at t = 1.0 s"
+    assert when(question.at) == "at t = 1 s"
     assert outcome is not None
     assert outcome.simulated == pytest.approx(10)
+
+
+def test_of_the_time_of_a_question_no_more_digits_are_told_than_matter() -> None:
+    assert when(Expression(1.596376979305701)) == "at t = 1.5964 s"
+    assert when(Expression("2*pi")) == "at t = 2*pi s"
 
 
 def test_checks_that_do_not_apply_are_not_asked() -> None:

@@ -1,6 +1,6 @@
 """The questions that a level allows."""
 
-from sandbox.app.words.formatting import name_in_words
+from sandbox.app.words.formatting import brief, name_in_words
 from sandbox.app.words.language import later, say
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import (
@@ -43,8 +43,8 @@ def when(at: Instant | None) -> str:
         case CrossingEvent(quantity=name, value=value):
             message = later("when {quantity} first comes to {value}")
             return say(message, quantity=name, value=value.source)
-        case Expression():
-            return say("at t = {t} s", t=at.source)
+        case Expression(source=time):
+            return say("at t = {t} s", t=brief(time) if isinstance(time, float) else time)
     return ""
 
 
