@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
@@ -126,7 +127,7 @@ class MeetingFinder:
         last = first + TOGETHER * longest
         falling = [one.pair for one, time in zip(corners, falls, strict=True) if time < longest]
         coming = sorted({hit.bodies for hit in hits})
-        times = len({round(hit.time / (TOGETHER * longest)) for hit in hits})
+        times = moments([hit.time for hit in hits], TOGETHER * longest)
         hits = [hit for hit in hits if hit.time <= last]
         down = [corner for corner, time in zip(corners, falls, strict=True) if time <= last]
         gone = [one for one, time in zip(passing, passes, strict=True) if time <= last]
@@ -168,3 +169,8 @@ class MeetingFinder:
         gives = (ended.left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if abs(hit.parting) <= gives]
         return look.contacts(corners, place, ended.kick.joints.origin, rests)
+
+
+def moments(times: Sequence[float], apart: float) -> int:
+    """Return how many of some times are further `apart` from the one before [s]."""
+    return bool(times) + sum(b - a > apart for a, b in pairwise(sorted(times)))

@@ -7,7 +7,11 @@ import pytest
 
 from sandbox.physics.contacts.detection.time_of_impact import Hit
 from sandbox.physics.contacts.direct.drifts.first_landing import until_first
-from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, PossibleMeetings
+from sandbox.physics.contacts.direct.drifts.first_meeting import (
+    FirstMeeting,
+    PossibleMeetings,
+    moments,
+)
 
 FIRST, SECOND = (0, 1), (2, 3)
 
@@ -51,3 +55,12 @@ def test_the_pair_that_meets_first_in_the_shorter_part_is_found(later: float) ->
     alone = (0.2 + later) / (1 + later)
     assert found.pairs == [FIRST if alone < 0.3 else SECOND]
     assert shorter.drift == found.time == pytest.approx(min(alone, 0.3))
+
+
+@pytest.mark.parametrize(
+    ("times", "apart", "count"),
+    [([], 1e-9, 0), ([0.0, 0.0], 0.0, 1), ([0.3, 0.1, 0.1 + 1e-12], 1e-9, 2)],
+)
+def test_landings_at_one_time_count_once(times: list[float], apart: float, count: int) -> None:
+    """Also in a drift of no length, before an event at its start."""
+    assert moments(times, apart) == count
