@@ -20,7 +20,7 @@ from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.energy.taut_ropes import reached
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.forces.law import Law, VelocityRotation
-from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.forces.spring import damps
 from sandbox.physics.forces.velocity_rotation import given
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_forces import JointForces
@@ -116,7 +116,7 @@ class Attribution:
             self._entries.do(law, kick.work(every))
         if "bodies" in self._entries.works:
             self._entries.works["bodies"] -= kick.work(np.where(self._mass[:, :1] > 0, 0.0, every))
-        if isinstance(law, SpringForce) and law.damping:
+        if damps(law):
             elastic = self._impulse(replace(law, damping=0.0), kick)
             self._entries.losses["damping"] += kick.work(every - elastic)
         return impulse

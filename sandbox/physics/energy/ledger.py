@@ -35,6 +35,7 @@ from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip_phases import SlipEntries
 from sandbox.physics.events.switching_events import EventEntries
+from sandbox.physics.forces.spring import damps
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.joint_forces import pulls_of
 from sandbox.physics.state.motion import Instant, Motion
@@ -275,6 +276,8 @@ class Ledger:
         rest = happened.given
         for law, worked, pushed in zip(self._laws, happened.worked, happened.pushed, strict=True):
             self._entries.do(law, worked)
+            if damps(law):
+                self._entries.losses["damping"] += worked
             if law.effect.name in self._entries.impulses:
                 self._entries.impulses[law.effect.name] += pushed
             rest = rest - pushed

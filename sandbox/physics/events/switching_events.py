@@ -6,6 +6,7 @@ acceleration, leads to the end of the drift.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -13,6 +14,7 @@ import numpy as np
 from sandbox.model.acting_events import Crossing
 from sandbox.model.expressions import Array
 from sandbox.physics.forces.law import Law
+from sandbox.physics.forces.spring import damps
 from sandbox.physics.state.motion import Instant, momentum
 
 if TYPE_CHECKING:
@@ -35,8 +37,9 @@ class Part(NamedTuple):
     velocity: Array
     """(n, 3), positions and velocities at its start [m, rad, m/s, rad/s]."""
     acceleration: Array
-    smooth: Array
-    """(n, 3), the total accelerations, and those by gravity and force laws [m/s², rad/s²]."""
+    """(n, 3), the accelerations in it [m/s², rad/s²]."""
+    cause: float = 0.0
+    """The time after its start at which the forces act that cause them [s]."""
 
     def at(self, time: float) -> Instant:
         """Return the motion at a time after its start [s]."""
@@ -60,7 +63,8 @@ class EventEntries(NamedTuple):
     switched: float
     """The jump of the stored energy when forces are switched [J]."""
     worked: Sequence[float]
-    """The work of each law beyond that of the halves of the two kicks [J]."""
+    """The work of each law beyond that of the halves of the two kicks; of a damped spring that of
+    its damper alone [J]."""
     pushed: Sequence[Array]
     """The momentum and angular momentum from each law beyond those from the two halves: (3,) each
     [kg m/s, kg m²/s]."""
@@ -68,8 +72,8 @@ class EventEntries(NamedTuple):
     """The same from all forces together: (3,)."""
     lifted: float
     """The change of the energy read in the middle of the drift that is only due to the change of
-    acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than in
-    the middle of the chord."""
+    acceleration [J]: on the parabola, the energy that a force F stores is higher by F a dt²/8 than
+    in the middle of the chord."""
     jolts: "Sequence[Jolt]" = ()
     """The impacts of joints in the drift."""
 
@@ -121,15 +125,24 @@ def acted(
     begun = velocity - last.acceleration * half
     before = last._replace(lasts=half, place=place - velocity * half, velocity=begun)
     every = (
-        *(_Share(1.0, part, part.at(0.0), part.at(part.lasts / 2)) for part in parts),
+        *(_Share(1.0, part, part.at(part.cause), part.at(part.lasts / 2)) for part in parts),
         _Share(-1.0, first._replace(lasts=half), first.at(0.0), first.at(0.0)),
-        _Share(-1.0, before, end, end),
+        _Share(-1.0, before, last.at(last.cause), end),
     )
-    worked = [sum(share.work(law, inertia) for share in every) for law in laws]
+
+    def work(law: Law) -> float:
+        return sum(share.work(law, inertia) for share in every)
+
+    worked = [work(law) - (work(replace(law, damping=0.0)) if damps(law) else 0.0) for law in laws]
     pushed = [sum((share.push(law, inertia) for share in every), np.zeros(3)) for law in laws]
     given = sum((share.given(inertia) for share in every), np.zeros(3))
-    pull = first.smooth * first.acceleration - last.smooth * last.acceleration
-    lifted = float(np.sum(inertia * pull)) * half * half / 2
+    storing = [law for law in laws if law.effect.book == "potential"]
+
+    def raised(part: Part) -> float:
+        forces = (_wrench(law, part.at(part.cause), inertia) for law in storing)
+        return float(np.sum(sum(forces, np.zeros_like(inertia)) * part.acceleration))
+
+    lifted = (raised(first) - raised(last)) * half * half / 2
     return EventEntries(begun, switched, worked, pushed, given, lifted)
 
 
@@ -146,24 +159,25 @@ def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> Event
 class _Share(NamedTuple):
     """A part of a drift (sign 1), or half of a kick that the books already contain (sign −1).
 
-    The impulse is that of the force at the start, which causes the parabola; it acts at the middle
-    of the path. For a half kick both are taken where the kick acted, as the books did.
+    The impulse is that of the force that causes the parabola, and so is the work, on all of the
+    path; the impulse acts at the middle. For the half kick before the drift both are taken where
+    the kick acted, as the books did.
     """
 
     sign: float
     part: Part
-    start: Instant
+    cause: Instant
     middle: Instant
 
     def work(self, law: Law, inertia: Array) -> float:
         """Return the work of a law [J]."""
         part = self.part
         way = part.velocity * part.lasts + part.acceleration * (part.lasts**2 / 2)
-        return self.sign * float(np.sum(_wrench(law, self.middle, inertia) * way))
+        return self.sign * float(np.sum(_wrench(law, self.cause, inertia) * way))
 
     def push(self, law: Law, inertia: Array) -> Array:
         """Return the momentum and angular momentum from a law: (3,)."""
-        return self._about(_wrench(law, self.start, inertia))
+        return self._about(_wrench(law, self.cause, inertia))
 
     def given(self, inertia: Array) -> Array:
         """Return the momentum and angular momentum from all forces together: (3,)."""

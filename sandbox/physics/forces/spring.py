@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 import numpy as np
 
@@ -177,3 +177,8 @@ class SpringRows:
         first, second = place[self._rows] + self._points * turn[self._rows]
         stretch = np.minimum(np.abs(second - first) - self._length, self._most)
         return float(self._stiffness @ stretch**2) / 2
+
+
+def damps(law: object) -> TypeGuard[SpringForce]:
+    """Return whether a force law is a spring with a damper."""
+    return isinstance(law, SpringForce) and law.damping > 0

@@ -136,7 +136,7 @@ class EventStage:
         acceleration[self._fixed] = 0.0
         velocity = after - acceleration * (self._dt / 2) if self._leapfrog else after
         lasts = self._dt if self._leapfrog else 0.0
-        return Part(self._kicks.clock.after(0), lasts, state[:, :3], velocity, acceleration, smooth)
+        return Part(self._kicks.clock.after(0), lasts, state[:, :3], velocity, acceleration)
 
     def _struck(self) -> Booleans:
         """Return the bodies whose velocities an impact changed in the last kick: (n,)."""
@@ -196,7 +196,7 @@ class EventStage:
             return (part._replace(lasts=wait),)
         left = part.lasts - wait
         acceleration = self._tried(part, self._ahead(left), part.state(wait), (left / 2, left))
-        return _in_halves(part._replace(lasts=wait), acceleration, self._forces.smooth)
+        return _in_halves(part._replace(lasts=wait), acceleration)
 
     def _ahead(self, left: float) -> float:
         """Return the share of a step that has passed, given the time left of a drift [s]."""
@@ -228,7 +228,7 @@ class EventStage:
             after = landing.left
         acceleration = (after - velocity) / (left / 2)
         acceleration[self._fixed] = 0.0
-        return Part(t, left, place, velocity, acceleration, self._forces.smooth)
+        return Part(t, left, place, velocity, acceleration)
 
     def _halves(self, part: Part) -> tuple[Part, Part]:
         """Return the halves of the last part of a drift with jolts, with the force at its end.
@@ -239,7 +239,7 @@ class EventStage:
         _, middle = part.state(part.lasts / 2)
         lasts = (part.lasts + self._dt) / 2, self._dt
         acceleration = self._tried(part, 1.0, (place, middle), lasts)
-        return _in_halves(part, acceleration, self._forces.smooth)
+        return _in_halves(part, acceleration)
 
     def _tried(
         self, part: Part, ahead: float, state: tuple[Array, Array], lasts: tuple[float, float]
@@ -309,12 +309,13 @@ class EventStage:
         self._begun = begun
 
 
-def _in_halves(part: Part, acceleration: Array, smooth: Array) -> tuple[Part, Part]:
+def _in_halves(part: Part, acceleration: Array) -> tuple[Part, Part]:
     """Return the halves of a part with the same end and another force in the second half.
 
-    The accelerations at the end, (n, 3), are the total, and those by gravity and laws.
+    `acceleration`, (n, 3), is that at the end [m/s², rad/s²].
     """
     half, (place, _) = part.lasts / 2, part.state(part.lasts)
     _, middle = part.state(half)
     begin = place - middle * half - acceleration * (half * half / 2)
-    return part._replace(lasts=half), Part(part.t + half, half, begin, middle, acceleration, smooth)
+    later = Part(part.t + half, half, begin, middle, acceleration, cause=half)
+    return part._replace(lasts=half), later
