@@ -28,6 +28,9 @@ DEEP = 1e-3
 """m, the overlap in a drift because of which it is divided. Each part adds a little energy where
 bodies are squeezed out, so smaller ones are left to the correction of overlaps."""
 
+ROUGH = 0.1
+"""The share of a drift below which a part's forces follow from too small differences."""
+
 JERKS = 1e-3
 """The share of the kinetic energy that joints give or take in a jerk, at least."""
 
@@ -202,9 +205,11 @@ class CutDrift:
         """The motion up to the first landing.
 
         That of the whole drift, unless a rope is caught later in it, or a jerk of joints that the
-        landing prevents does work.
+        landing prevents does work. The forces of a brief part are too rough for that.
         """
         first, whole = self.parts[0], self.whole
+        if first.drift < ROUGH * whole.drift:
+            return first if _catches(whole, first) else whole
         least = JERKS * whole.kick.joints.kinetic(whole.begun)
         jerks = abs(self._work(whole)) > abs(self._work(first)) + least
         return first if jerks or _catches(whole, first) else whole

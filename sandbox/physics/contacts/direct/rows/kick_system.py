@@ -28,6 +28,11 @@ LIFTS = 1e-8
 slips as the other point of its side does, at a distance l, but for w² / l."""
 
 
+OPENS = 0.1
+"""m/s, the most at which bodies that overlap part where a gap between them should close: within a
+very brief part of a drift they would be shot out."""
+
+
 @dataclass  # not frozen: made in every step
 class Kick:
     """The rows of a kick; r of them, N bodies with the plane.
@@ -203,7 +208,8 @@ class Kick:
         wanted[self.layout.slips] -= self.joints.drift * self.runs
         if self.closes:
             closed = self.contacts.depths.take(self.layout.touching.number) - PROUD
-            wanted[self.layout.gaps] += np.where(self.ahead, closed, 0.0)
+            opens = OPENS * self.joints.drift
+            wanted[self.layout.gaps] += np.where(self.ahead, np.minimum(closed, opens), 0.0)
         return wanted
 
     @cached_property
