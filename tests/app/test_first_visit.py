@@ -37,6 +37,7 @@ def play(person: Person) -> None:
     person.wait(0.2)
 
 
+@pytest.mark.sweep
 @pytest.mark.all_levels
 def test_everything_one_would_try_first_works(
     person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

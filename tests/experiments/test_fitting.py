@@ -52,7 +52,7 @@ def test_several_parameters_are_found_at_once_without_known_uncertainties() -> N
 
 def test_what_the_data_do_not_tell_is_refused() -> None:
     data = Data(T, {"ball.position.y": fallen(3)}, {})
-    with pytest.raises(FitError, match="do not tell mass"):
+    with pytest.raises(FitError, match="do not determine mass"):
         fit(FALL, FALL.defaults, ["mass"], data, RATE)
 
 

@@ -14,6 +14,7 @@ from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level
+from tests.sample import thinned
 
 GAP = 1e-3
 """The gap that is left below each body [m]."""
@@ -164,7 +165,7 @@ def aside(world: World) -> float:
     return float(np.abs(world.snapshot.position - start)[:, 0].max())
 
 
-@pytest.mark.parametrize("name", RESTING)
+@pytest.mark.parametrize("name", thinned(RESTING, 3))
 def test_what_one_piles_up_by_hand_stands(name: str) -> None:
     """Nothing moves, overlaps or leans, and the floor bears what all of it weighs."""
     world, deepest, books = course(RESTING[name](), 2.5)
@@ -197,6 +198,7 @@ def test_a_dropped_stack_stands_for_a_minute() -> None:
     assert aside(course(stack(5), 60)[0]) < 1e-9  # m; 2e-15 seen
 
 
+@pytest.mark.sweep
 def test_books_come_to_rest_against_a_wall() -> None:
     world, deepest, books = course(leaning(), 4)
 
@@ -205,6 +207,7 @@ def test_books_come_to_rest_against_a_wall() -> None:
     assert books.closing.unexplained < 0.01 * books.closing.turned
 
 
+@pytest.mark.sweep
 def test_a_plate_drives_a_row_with_a_box_on_top() -> None:
     """All of it moves as fast as the plate, which overcomes the friction of the three below."""
     world, deepest, _ = course(pushed(), 4)
@@ -215,6 +218,7 @@ def test_a_plate_drives_a_row_with_a_box_on_top() -> None:
     assert deepest < 1e-6  # m; 2e-8 seen
 
 
+@pytest.mark.sweep
 def test_dominoes_fall_on_each_other() -> None:
     """The first is pushed over, and the last falls flat; none goes into another."""
     row = {f"domino{i}": box((0.25 * i, 0.25), size=(0.06, 0.5)) for i in range(8)}
