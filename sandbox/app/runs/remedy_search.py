@@ -5,7 +5,7 @@ from sandbox.app.runs.session import Session
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.advising import remedy_trials
 from sandbox.physics.advising.remedy_trials import Advice
-from sandbox.physics.state.errors import BreakdownError, SimulationError
+from sandbox.physics.state.errors import BlockedError, BreakdownError, SimulationError
 
 
 class RemedySearch(BackgroundTask):
@@ -23,7 +23,9 @@ class RemedySearch(BackgroundTask):
             self.cancel()
             if session.run.advice is not None:
                 return
-            if isinstance(failure, SimulationError) and not isinstance(failure, BreakdownError):
+            if isinstance(failure, SimulationError) and not isinstance(
+                failure, BreakdownError | BlockedError
+            ):
                 session.run.trying = True
                 world = session.world
                 scene = session.level, session.values, world.stepping, session.duration

@@ -22,7 +22,7 @@ from sandbox.physics.guarding.step_rate_bounds import needed
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
-from sandbox.physics.state.errors import BreakdownError, SimulationError
+from sandbox.physics.state.errors import BlockedError, BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
 
 DIRECT = Message('with "contact": {"solver": "direct"}')
@@ -96,7 +96,7 @@ def tried(
     `duration` is the intended duration [s], that of the level if left out; `seconds` is the
     processor time for all trials.
     """
-    if isinstance(error, BreakdownError):
+    if isinstance(error, BreakdownError | BlockedError):
         return error
     found = advise(error, level, values, stepping, duration, seconds)
     if not found.text:

@@ -110,6 +110,10 @@ class BreakdownError(SimulationError):
         return type(self), (Exception(str(self._error)), self.time), {"place": self.place}
 
 
+class BlockedError(SimulationError):
+    """A run in which something is driven into what cannot give way: no rate helps."""
+
+
 class SchemeError(SandboxError):
     """A scheme that does not suit a level."""
 
@@ -126,8 +130,12 @@ class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the worl
 
 
 class NoForces(Exception):  # noqa: N818 (as above)
-    """Two touching bodies for whose contact the solver found no forces."""
+    """Two touching bodies for whose contact the solver found no forces.
+
+    `blocked` tells whether there are none at any rate: something is driven into what cannot give
+    way.
+    """
 
     def __init__(self, a: int, b: int) -> None:
-        self.bodies = a, b
+        self.bodies, self.blocked = (a, b), False
         super().__init__(f"bodies {a} and {b}")

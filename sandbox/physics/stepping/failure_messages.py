@@ -8,6 +8,7 @@ from sandbox.physics.contacts.direct.complementarity.constraint_rows import Syst
 from sandbox.physics.contacts.impacts.endless_impacts_error import EndlessImpacts
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import (
+    BlockedError,
     BreakdownError,
     JointFailure,
     NoForces,
@@ -24,6 +25,13 @@ def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) ->
     match error:
         case SandboxError():
             return error
+        case NoForces(bodies=(a, b), blocked=True):
+            message = Message(
+                "what is driven presses '{one}' and '{other}' together, and nothing can give way",
+                one=bodies[a],
+                other=bodies[b],
+            )
+            return BlockedError(bodies[a], t, message)
         case NoForces(bodies=(a, b)):
             needed = MARGIN * rate
             message = Message(

@@ -39,6 +39,7 @@ from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
+from sandbox.physics.contacts.direct.solving.blocked_drives import is_blocked
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts
@@ -201,6 +202,8 @@ class DirectSolver:
             taken = take(kick, start, self._known)
         except (JointFailure, NoForces) as whole:
             if not self._divides(kick):
+                if isinstance(whole, NoForces):
+                    whole.blocked = is_blocked(kick, start.velocity)
                 raise
             try:
                 self._divide(kick, start)

@@ -1,0 +1,27 @@
+"""Drives that nothing can give way to, such as a plate that is driven against a box on the floor.
+
+Without forces it may be that a step is too long, or that no motion at all is possible. The second
+is a matter of geometry: velocities must exist with which no gap shrinks and all joints hold.
+"""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.linear_systems import least_distance
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+
+
+def is_blocked(kick: Kick, velocity: Array) -> bool:
+    """Return whether no velocities satisfy all rows at the rates that bodies or joints dictate.
+
+    `velocity`, (3 N,), are the present velocities; those of bodies that no impulse moves stay as
+    they are [m/s, rad/s].
+    """
+    free = kick.joints.inverse > 0
+    jacobian, layout = kick.here.jacobian[:, free], kick.layout
+    least = -kick.here.jacobian @ np.where(free, 0.0, velocity)
+    least[layout.joints] -= kick.joint_rates()
+    gaps, held = layout.gaps, layout.problem.free
+    limits = np.vstack((jacobian[gaps], jacobian[held], -jacobian[held]))
+    wanted = np.concatenate((least[gaps], least[held], -least[held]))
+    return bool(np.count_nonzero(wanted)) and least_distance(limits, wanted) is None
