@@ -106,7 +106,7 @@ def test_a_scheme_that_is_not_for_the_level_is_said(run: Run, write: Write, tmp_
     outcome = run("simulate", write(effects=effects), *options)
 
     assert outcome.status == 1
-    assert "'fourth-order' needs smooth forces" in outcome.err
+    assert "a higher order needs smooth forces" in outcome.err
 
 
 def test_it_says_that_a_pile_may_lean(run: Run, write: Write, tmp_path: Path) -> None:

@@ -138,7 +138,7 @@ def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 def _slot(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     """Return a slot in the second body, or in the first if the second is the plane."""
-    first, second = chosen if chosen[1].body else (chosen[1], chosen[0])
+    first, second = chosen[:2] if chosen[1].body else (chosen[1], chosen[0])
     turn = where[second.body].turn if second.body else 1.0
     way = (complex(*second.point) - complex(*first.point)) / turn
     direction = list(xy(way)) if abs(way) > CENTRAL else [1, 0]
