@@ -15,10 +15,10 @@ os.environ |= {"SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy", "LANGUAGE
 
 import pygame
 
-from sandbox.app.files import preferences, progress, recent
+from sandbox.app.files import challenge_stars, preferences, recent_files
 from sandbox.app.home import picture_cache
 from sandbox.app.window import Window
-from sandbox.editing import recovery
+from sandbox.editing import draft_recovery
 
 FOLDER = Path(__file__).parent / "images"
 SIZE = 1280, 800  # px
@@ -140,9 +140,9 @@ def main(names: Sequence[str]) -> None:
     with TemporaryDirectory() as folder:
         own = Path(folder)
         preferences.file = lambda: own / "settings.json"
-        progress.file = lambda: own / "stars.json"
-        recent.file = lambda: own / "recent.json"
-        recovery.folder = lambda: own / "drafts"
+        challenge_stars.file = lambda: own / "stars.json"
+        recent_files.file = lambda: own / "recent.json"
+        draft_recovery.folder = lambda: own / "drafts"
         picture_cache.folder = lambda: own / "pictures"
         for name, surface in drawn(names or tuple(SCENES)):
             pygame.image.save(surface, FOLDER / f"{name}.png")

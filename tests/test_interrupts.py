@@ -9,7 +9,7 @@ from inspect import currentframe
 import pymunk
 import pytest
 
-from sandbox import interrupts, streams
+from sandbox import interrupts, standard_streams
 from sandbox.cli import main
 from sandbox.model.errors import SandboxError
 
@@ -35,7 +35,7 @@ def test_ctrl_c_within_a_class_statement_exits_as_well() -> None:
         def __set_name__(self, owner: type, name: str) -> None:
             signal.raise_signal(signal.SIGINT)
 
-    with pytest.raises(SystemExit) as exit_, streams.standard():
+    with pytest.raises(SystemExit) as exit_, standard_streams.standard():
         type("Made", (), {"named": Named()})
 
     assert exit_.value.code == interrupts.INTERRUPTED

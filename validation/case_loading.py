@@ -32,12 +32,12 @@ from validation.formulas import (
     chapter_code,
     energy,
     kinematics,
-    lagrange,
-    leapfrog,
+    leapfrog_error,
     machines,
     mechanisms,
     momentum,
     newton,
+    oscillators,
     pulleys,
     rotation,
 )
@@ -45,7 +45,7 @@ from validation.formulas import (
 FOLDER = Path(__file__).parent / "cases"
 
 MODULES = (
-    chapter_code, energy, kinematics, lagrange, leapfrog, machines, mechanisms, momentum,
+    chapter_code, energy, kinematics, oscillators, leapfrog_error, machines, mechanisms, momentum,
     newton, pulleys, rotation,
 )  # fmt: skip
 

@@ -132,7 +132,7 @@ def compose(
     """
     with needed_for("a judgement of compositions"):
         from validation.compose.command import measure
-        from validation.compose.scenes import seeds
+        from validation.compose.seeded_scenes import seeds
     return measure(scenes or seeds(seed, count), json_file, output, jobs)
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app.keys import AT_HOME
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
@@ -20,6 +19,7 @@ from sandbox.app.stage import level_labels
 from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.file_dialog import SMALLEST
+from sandbox.app.window_keys import AT_HOME
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.model import level_catalog

@@ -4,7 +4,7 @@ import pygame
 
 from sandbox.app import run_legend
 from sandbox.app.drawing import theme
-from sandbox.app.measuring import probe
+from sandbox.app.measuring import trail_probe
 from sandbox.app.observing.earlier_runs import alike
 from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
@@ -70,4 +70,4 @@ def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None
     x, y = pygame.mouse.get_pos()
     left, top = space.panels.layout.stage.topleft
     if not space.hand.pulling:  # a text would cover the body in the hand
-        probe.draw(view, stage.view, session, (x - left, y - top))
+        trail_probe.draw(view, stage.view, session, (x - left, y - top))

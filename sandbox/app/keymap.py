@@ -5,9 +5,9 @@ The actions of the commands are in `command_actions`.
 
 import pygame
 
-from sandbox.app.keys import CONTROL, PLAYING, SHOWING, WINDOW, Binding
 from sandbox.app.pages.register import PAGES, page
 from sandbox.app.stage.overlays.register import OVERLAYS
+from sandbox.app.window_keys import CONTROL, PLAYING, SHOWING, WINDOW, Binding
 from sandbox.app.words.language import say, say_in
 
 BINDINGS: tuple[Binding, ...] = (

@@ -22,10 +22,10 @@ from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import say
-from sandbox.model.effect_variants import Variation
 from sandbox.model.expressions import Values
 from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
+from sandbox.model.levels_with_changed_effects import Variation
 
 SIZE = (1280, 720)  # px
 TELLING = 0.4

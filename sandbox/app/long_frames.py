@@ -1,7 +1,7 @@
 """Handles events and shows a message during a long frame, such as a slow step or building a level.
 
 A step is not split over frames. Long computations pass cancellation points
-(`physics/state/cancellation.py`). There the window shows that it is responding, cancels the
+(`physics/state/cancellation_points.py`). There the window shows that it is responding, cancels the
 computation if the user presses Esc or closes the window, and keeps all other events for the next
 frame.
 """
@@ -17,7 +17,7 @@ from sandbox.app.panels import stage_messages
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
-from sandbox.physics.state.cancellation import cancellable
+from sandbox.physics.state.cancellation_points import cancellable
 
 LONG = 0.25  # s, after which a message is shown
 AGAIN = 0.1  # s, between two looks

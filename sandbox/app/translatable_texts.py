@@ -8,15 +8,15 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any, get_args
 
-from sandbox.app import keymap, keys
+from sandbox.app import keymap, window_keys
 from sandbox.app.building import editable_fields
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.drawing import theme
-from sandbox.app.frame_time import Load
+from sandbox.app.frame_budget import Load
 from sandbox.app.pages.register import PAGES
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.editing.suggested_checks.recognised_setup import Setup
+from sandbox.editing.suggested_checks.recogniser_input import Setup
 from sandbox.model import ledger_accounts, level_catalog
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
@@ -42,7 +42,7 @@ def shown_keys() -> Iterator[str]:
     every = (
         *(binding.shown for binding in keymap.BINDINGS),
         *(key for page in PAGES for key, _ in page.keys),
-        *(gesture for gesture, _ in keys.MOUSE),
+        *(gesture for gesture, _ in window_keys.MOUSE),
     )
     return filter(has_words, every)
 
@@ -59,7 +59,7 @@ def _of_the_window() -> Iterator[str]:
         yield page.caption
         yield page.text
         yield from (text for _, text in page.keys)
-    yield from (text for _, text in keys.MOUSE)
+    yield from (text for _, text in window_keys.MOUSE)
     for tool in TOOLS:
         yield tool.caption
     yield from (overlay.caption for overlay in OVERLAYS)

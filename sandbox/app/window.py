@@ -7,14 +7,14 @@ from time import perf_counter
 import pygame
 
 from sandbox.app.command_actions import CommandActions
-from sandbox.app.events import Events
+from sandbox.app.event_dispatch import Events
 from sandbox.app.files.open_level_watch import FileWatch
+from sandbox.app.frame_budget import FrameBudget
 from sandbox.app.frame_painting import paint
-from sandbox.app.frame_time import FrameBudget
+from sandbox.app.impact_sounds import Sounds
 from sandbox.app.long_frames import LongFrameWatch
 from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.runs.session import Session
-from sandbox.app.sounds import Sounds
 from sandbox.app.words.language import say
 from sandbox.app.workspace import SIZE, Workspace
 

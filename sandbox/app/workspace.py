@@ -10,8 +10,8 @@ from sandbox.app.banner import Banner
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.files.preferences import WindowPreferences
-from sandbox.app.frame_time import Load
-from sandbox.app.level_files import LevelFiles
+from sandbox.app.frame_budget import Load
+from sandbox.app.listed_levels import LevelFiles
 from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.measuring.stage_mouse import StageMouse
 from sandbox.app.pages.page import OnStage
@@ -22,8 +22,8 @@ from sandbox.app.panels.panels import Panels
 from sandbox.app.runs import runfile
 from sandbox.app.runs.crash_recovery import LeftRun, RunRecovery
 from sandbox.app.runs.remedy_search import RemedySearch
+from sandbox.app.runs.run_undo import UndoHistory
 from sandbox.app.runs.session import Session
-from sandbox.app.runs.undoing import UndoHistory
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import language
 from sandbox.app.words.language import later, say
@@ -198,7 +198,7 @@ class Workspace:
         self._entitle(session.original)
         self.lay_out()
         if session.world.scene.direct:
-            from sandbox.physics.contacts.direct.complementarity.linear_systems import preload
+            from sandbox.physics.contacts.direct.complementarity.redundant_systems import preload
 
             Thread(target=preload, daemon=True).start()
         give_back_gaps()  # left by the previous level

@@ -7,7 +7,7 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import MisuseError, brief
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
-from sandbox.model.rules.conditions.scene import MAX_STEPS
+from sandbox.model.rules.conditions.numbers_and_shapes import MAX_STEPS
 from sandbox.model.translatable_message import Message
 
 

@@ -12,7 +12,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.file_watching import PAUSE, Watch
 from sandbox.model.level import Level
 from sandbox.model.remarks import remarks
-from sandbox.model.schemes import bounds_the_rate
+from sandbox.model.scheme_requirements import bounds_the_rate
 from sandbox.processes import spread
 
 FEW = 30
@@ -93,7 +93,7 @@ def _check_start(level: Level) -> None:
     """
     crowded = level.effects.contact or len(level.joints) > FEW
     if bounds_the_rate(level) or crowded:
-        from sandbox.physics.advising.preflight import refusal
+        from sandbox.physics.advising.preflight_faults import refusal
 
         if error := refusal(level, advised=True):
             raise error

@@ -7,10 +7,10 @@ from typing import NamedTuple
 from sandbox.app.words import formatting
 from sandbox.cli.argument_parsing import UsageError
 from sandbox.cli.text_columns import aligned
-from sandbox.model import effect_variants
-from sandbox.model.effect_variants import Variation
+from sandbox.model import levels_with_changed_effects
 from sandbox.model.errors import brief
 from sandbox.model.level import Level, Stepping
+from sandbox.model.levels_with_changed_effects import Variation
 from sandbox.physics.measuring.csv_export import Change
 from sandbox.physics.measuring.run_comparison import Difference
 
@@ -40,7 +40,7 @@ def vary(
     if both is not None:
         raise UsageError(f"--without {both}: '{both}' is asked for by --with, too")
     run = level if stepping is None else level.model_copy(update={"stepping": stepping})
-    changed, variations = effect_variants.vary(run, off, settings)
+    changed, variations = levels_with_changed_effects.vary(run, off, settings)
     options = [*(word for name in off for word in ("--without", name))]
     options += [word for text in on for word in ("--with", text)]
     description = ", ".join(map(str, variations))

@@ -9,10 +9,10 @@ from rich.console import Console
 from sandbox.app.words import formatting
 from sandbox.cli import argument_parsing, effect_options
 from sandbox.cli.text_columns import aligned
-from sandbox.model.effect_variants import without
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
+from sandbox.model.levels_with_changed_effects import without
 from sandbox.model.loading import choose
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.run_comparison import Difference, differences, watched

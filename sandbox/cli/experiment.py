@@ -24,8 +24,8 @@ from sandbox.optional_packages import needed_for
 
 if TYPE_CHECKING:
     from sandbox.experiments.executors import Executor
+    from sandbox.experiments.experiment_folder import Store
     from sandbox.experiments.plan import Plan
-    from sandbox.experiments.storage import Store
 
 
 class ExperimentRequest(NamedTuple):
@@ -51,7 +51,7 @@ def experiment(
         processes.prepare("sandbox.experiments.row_runs")
     with needed_for("an experiment", "experiment"):
         from sandbox.experiments import report
-        from sandbox.experiments.storage import Store
+        from sandbox.experiments.experiment_folder import Store
     plan = _plan(asked)
     store = Store(output, plan)
     missing = sum(stop - start for start, stop in store.missing()) if not store.complete else 0
@@ -125,7 +125,7 @@ def fit(asked: ExperimentRequest, names: Sequence[str], data: Path | None, outpu
 def _plan(asked: ExperimentRequest) -> "Plan":
     from sandbox.experiments import catalog
     from sandbox.experiments.experiment_file import made
-    from sandbox.experiments.planning import make
+    from sandbox.experiments.make_plan import make
 
     if not (asked.vary or asked.measure):
         if asked.set or asked.others:

@@ -2,9 +2,9 @@
 
 from collections.abc import Collection, Mapping
 
-from sandbox.editing.formulas import shifted
+from sandbox.editing.formula_edits import shifted
 from sandbox.editing.json_layout import Json
-from sandbox.editing.placement import PlacedBody, placed, xy
+from sandbox.editing.placed_bodies import PlacedBody, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.comments import read_level
 from sandbox.model.expressions import Expression

@@ -4,14 +4,14 @@ import json
 import re
 from collections.abc import Collection, Iterator, Mapping
 
-from sandbox.editing.cleanup import accepted
-from sandbox.editing.formulas import renamed
+from sandbox.editing.cleanup_after_edit import accepted
+from sandbox.editing.formula_edits import renamed
 from sandbox.editing.json_spans import Spans
 from sandbox.editing.text_patches import spliced
-from sandbox.model.arithmetic import RESERVED
 from sandbox.model.base import NAME
 from sandbox.model.comments import read_level
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.expression_compiler import RESERVED
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions

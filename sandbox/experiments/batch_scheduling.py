@@ -4,9 +4,9 @@ from collections.abc import Callable, Iterable, Iterator
 from time import perf_counter
 
 from sandbox.experiments.executors import Executor
+from sandbox.experiments.experiment_folder import Store
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.row_runs import Task, TaskResults, pack, run, together
-from sandbox.experiments.storage import Store
 
 FIRST = 8
 """The most rows of the first batches, whose cost is unknown."""

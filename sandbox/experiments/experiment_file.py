@@ -13,10 +13,10 @@ from pydantic_core import ErrorDetails
 
 from sandbox.experiments.random_points import Method
 from sandbox.model import parse_messages
-from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.base import Model, Name
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
+from sandbox.model.expression_compiler import MAX_LENGTH
 from sandbox.model.file_writing import read_ordinary
 from sandbox.model.json_document import Document, refuse
 from sandbox.model.level_parts import Fault

@@ -8,15 +8,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from sandbox.experiments.analysis import Sensitivity
 from sandbox.experiments.measures import Measure
 from sandbox.experiments.parameter_axes import Grid, Listed, Uniform
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.result_statistics import Sensitivity
 from sandbox.experiments.results_table import axis_unit, closed_form
 from sandbox.experiments.saved_results import Results
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import headed
-from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, legend_below, style
+from sandbox.reporting.plot_style import COLOURS, FRAME, MARKERS, legend_below, style
 
 FAMILY = 8
 """The most curves in one figure; more become a heat map."""

@@ -20,7 +20,6 @@ from typing import Literal
 import numpy as np
 
 from sandbox.experiments.observables import Observable
-from sandbox.model.constants import let_use
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Expression
@@ -35,6 +34,7 @@ from sandbox.model.level import (
     SeparationEvent,
 )
 from sandbox.model.measuring_instants import MOST_MEETINGS
+from sandbox.model.named_constants import let_use
 from sandbox.model.quantities import OVER_TIME, quantity
 from sandbox.model.translatable_message import Message
 from sandbox.physics.measuring.event_interpolation import value_at

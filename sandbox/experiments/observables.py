@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.functions import Formula
 from sandbox.model.level import Level

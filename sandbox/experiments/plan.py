@@ -14,7 +14,7 @@ from sandbox.experiments.measures import Measure
 from sandbox.experiments.observables import Observable
 from sandbox.experiments.parameter_axes import Axis, Drawn, Grid, Listed
 from sandbox.experiments.random_points import points
-from sandbox.model import effect_variants
+from sandbox.model import levels_with_changed_effects
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
@@ -168,7 +168,7 @@ class Plan:
         """
         if without not in self._variants:
             names = [] if without == NONE else [name.strip() for name in without.split("+")]
-            level = effect_variants.vary(self.level, names, {})[0]
+            level = levels_with_changed_effects.vary(self.level, names, {})[0]
             self._variants[without] = Variant(level, depending(level))
         return self._variants[without]
 

@@ -6,14 +6,14 @@ from math import isfinite
 from pathlib import Path
 from typing import NamedTuple
 
-from sandbox.experiments import analysis, figures, saved_results
+from sandbox.experiments import figures, result_statistics, saved_results
+from sandbox.experiments.experiment_folder import DESCRIPTION, RESULTS, description
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.random_points import Method
 from sandbox.experiments.results_table import axis_unit, closed_form, error
-from sandbox.experiments.storage import DESCRIPTION, RESULTS, description
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import write_atomically
-from sandbox.reporting.pages import environment
+from sandbox.reporting.html_pages import environment
 from sandbox.reporting.svg import inline
 
 PAGE = "report.html"
@@ -44,7 +44,7 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
         name(m.text) for m in plan.measures if m.of and m.check for name in (closed_form, error)
     ]
     found = saved_results.read(path, [*plan.axes, *(m.text for m in plan.measures), *forms])
-    summaries = analysis.summaries(plan, found)
+    summaries = result_statistics.summaries(plan, found)
     sensitivities, remarks = _sensitivities(plan, path)
     drawn = [*figures.pictures(plan, found), *map(figures.shares, sensitivities)]
     failed = sum(count for _, count in found.failures)
@@ -74,12 +74,12 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
     return Page(folder / PAGE, remarks)
 
 
-def _sensitivities(plan: Plan, path: Path) -> tuple[list[analysis.Sensitivity], list[str]]:
+def _sensitivities(plan: Plan, path: Path) -> tuple[list[result_statistics.Sensitivity], list[str]]:
     """Return Sobol's indices, and the reasons why any are missing."""
     if plan.experiment.method != "sobol-indices":
         return [], []
     try:
-        return analysis.sensitivities(plan, path), []
+        return result_statistics.sensitivities(plan, path), []
     except SandboxError as reason:
         return [], [str(reason)]
 

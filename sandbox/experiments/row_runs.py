@@ -15,7 +15,7 @@ from sandbox.experiments.results_table import Cell, columns
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.rules.conditions.scene import MAX_STEPS
+from sandbox.model.rules.conditions.numbers_and_shapes import MAX_STEPS
 from sandbox.model.translatable_message import NOTHING
 from sandbox.physics.ensemble.batched_runs import BatchStepper, accepts, suits
 from sandbox.physics.measuring.recording import Trace, count_steps

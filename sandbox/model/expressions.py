@@ -11,8 +11,8 @@ from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from sandbox.model.arithmetic import MAX_LENGTH, ExpressionError, compiled, evaluated
 from sandbox.model.errors import brief
+from sandbox.model.expression_compiler import MAX_LENGTH, ExpressionError, compiled, evaluated
 from sandbox.model.translatable_message import NOTHING, Message
 
 Array = NDArray[np.float64]

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sandbox.model.arithmetic import differentiated
+from sandbox.model.expression_compiler import differentiated
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.symbolic_derivatives import is_smooth
 

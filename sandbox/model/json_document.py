@@ -13,7 +13,7 @@ from sandbox.model.comments import members
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
 from sandbox.model.json_positions import Path, Position, Value
 from sandbox.model.level_parts import Fault
-from sandbox.model.origin import Origin
+from sandbox.model.source_text import Origin
 from sandbox.model.translatable_message import Message, message
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})

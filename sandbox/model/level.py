@@ -24,7 +24,6 @@ from sandbox.model.annotated_fields import Prose
 from sandbox.model.base import Model, Name
 from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.challenge import Challenge
-from sandbox.model.constants import define
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Positive, Values
 from sandbox.model.functions import Formula
@@ -38,9 +37,10 @@ from sandbox.model.measuring_instants import CrossingEvent as CrossingEvent
 from sandbox.model.measuring_instants import Instant as Instant
 from sandbox.model.measuring_instants import LandingEvent as LandingEvent
 from sandbox.model.measuring_instants import SeparationEvent as SeparationEvent
+from sandbox.model.named_constants import define
 from sandbox.model.number_bounds import Duration, Finite
-from sandbox.model.origin import Origin
 from sandbox.model.reference_fields import Mention, QuantityName
+from sandbox.model.source_text import Origin
 from sandbox.model.translatable_message import Message
 from sandbox.model.view import View
 

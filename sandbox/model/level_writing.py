@@ -13,7 +13,7 @@ from typing import Any
 from sandbox.model.comments import SIGN
 from sandbox.model.json_positions import TOKEN
 from sandbox.model.level import Level
-from sandbox.model.shorthand.repeating import GROUPS, order
+from sandbox.model.shorthand.repeated_members import GROUPS, order
 
 WIDTH = 100
 """The line width; a part whose members have a line each stays on one line if that fits."""

@@ -16,7 +16,7 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import ENDS, KINDS
 from sandbox.model.json_positions import Path, Position
 from sandbox.model.level import Level
-from sandbox.model.shorthand.repeating import GROUPS
+from sandbox.model.shorthand.repeated_members import GROUPS
 from sandbox.model.translatable_message import NOTHING, Message, either
 
 _SYNTAX: Mapping[str, Message] = {

@@ -7,7 +7,7 @@ parameter may be zero at times; remarks are about those that are zero for all pa
 from collections.abc import Iterator
 from contextlib import suppress
 
-from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.functions import Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions

@@ -6,7 +6,7 @@ from html import escape
 from markupsafe import Markup
 from matplotlib.figure import Figure
 
-from sandbox.reporting import plots
+from sandbox.reporting import plot_style
 
 
 def inline(figure: Figure, label: str) -> Markup:
@@ -15,7 +15,7 @@ def inline(figure: Figure, label: str) -> Markup:
     Several figures share a page, so unused ids are dropped, and the others are unique as long as
     the figures' titles are.
     """
-    text = plots.written(figure, "svg").decode()
+    text = plot_style.written(figure, "svg").decode()
     text = text[text.index("<svg") :]
     text = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text, flags=re.S)
     text = re.sub(r"\s*font-family: [^;\"]*;?|\sxmlns(:\w+)?=\"[^\"]*\"", "", text)

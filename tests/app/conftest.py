@@ -15,14 +15,14 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files import preferences, progress, recent
+from sandbox.app.files import challenge_stars, preferences, recent_files
 from sandbox.app.files.level_entries import Entry
 from sandbox.app.home import picture_cache
 from sandbox.app.panels import level_list
 from sandbox.app.runs import crash_recovery
 from sandbox.app.window import Window
 from sandbox.app.words import language
-from sandbox.editing import recovery
+from sandbox.editing import draft_recovery
 from tests.app.person import Person
 
 EVERY = 12
@@ -54,15 +54,15 @@ def pen() -> Pen:
 @pytest.fixture(autouse=True)
 def _nothing_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Read and write no stars, drafts and runs but those of the test itself."""
-    monkeypatch.setattr(progress, "file", lambda: tmp_path / "stars" / "stars.json")
-    monkeypatch.setattr(recovery, "folder", lambda: tmp_path / "drafts")
+    monkeypatch.setattr(challenge_stars, "file", lambda: tmp_path / "stars" / "stars.json")
+    monkeypatch.setattr(draft_recovery, "folder", lambda: tmp_path / "drafts")
     monkeypatch.setattr(crash_recovery, "folder", lambda: tmp_path / "runs")
 
 
 @pytest.fixture(autouse=True)
 def _nothing_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Read and write no recent files and pictures but those of the test itself."""
-    monkeypatch.setattr(recent, "file", lambda: tmp_path / "recent" / "recent.json")
+    monkeypatch.setattr(recent_files, "file", lambda: tmp_path / "recent" / "recent.json")
     monkeypatch.setattr(preferences, "file", lambda: tmp_path / "settings" / "settings.json")
     monkeypatch.setattr(picture_cache, "folder", lambda: tmp_path / "pictures")
 

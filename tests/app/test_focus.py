@@ -11,7 +11,7 @@ from pygame_gui.elements import UIButton, UIHorizontalSlider
 from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.register import PAGES
-from sandbox.app.panels import focus
+from sandbox.app.panels import keyboard_focus
 from sandbox.app.widgets.text_field import Field
 from tests.app.person import Person
 from tests.app.scenes import falling
@@ -25,7 +25,7 @@ def tab(person: Person, *, back: bool = False) -> None:
     pygame.key.set_mods(0)
 
 
-def focused(person: Person) -> focus.Stop | None:
+def focused(person: Person) -> keyboard_focus.Stop | None:
     panels = person.window.panels
     return panels.focus.element(panels.manager, panels.layout)
 
@@ -48,7 +48,7 @@ def test_tab_comes_to_every_widget_of_every_page_and_round_again(
     person.window.do(page.command)  # type: ignore[attr-defined]
     person.wait(0.05)
     panels = person.window.panels
-    wanted = list(focus.stops(panels.manager, panels.layout))
+    wanted = list(keyboard_focus.stops(panels.manager, panels.layout))
     seen = []
     for _ in wanted:
         panels.focus.go(panels.manager, panels.layout, 1)
@@ -65,7 +65,7 @@ def test_a_ring_shows_where_the_keyboard_is(person: Person, tmp_path: Path) -> N
     person.open(tmp_path, falling())
     button = tab_to(person, "Restart")
     person.wait(0.05)
-    middle = button.rect.centerx, button.rect.y - focus.APART - 1
+    middle = button.rect.centerx, button.rect.y - keyboard_focus.APART - 1
     assert person.color_at(middle) == theme.NOTICE
 
     person.click((600, 300))

@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from sandbox.app.drawing import theme
-from sandbox.app.stage.given_forces import Arrow, Forces
+from sandbox.app.stage.given_force_arrows import Arrow, Forces
 from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import level_catalog
 from sandbox.model.loading import load

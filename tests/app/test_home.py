@@ -14,14 +14,14 @@ from sandbox.app.banner import NOTE
 from sandbox.app.building.editor import Editor
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files import progress
+from sandbox.app.files import challenge_stars
 from sandbox.app.home import draft_strip, picture_cache
 from sandbox.app.home.home import Home
 from sandbox.app.home.picture_cache import SIZE
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
 from sandbox.editing.draft import Draft
-from sandbox.editing.recovery import Recovery, recoverable
+from sandbox.editing.draft_recovery import Recovery, recoverable
 from sandbox.model import level_catalog, unsaved_files
 from tests.app import scenes
 from tests.app.person import PATIENCE, Person, until
@@ -425,11 +425,11 @@ def test_stars_that_were_earned_stand_on_the_card(visitor: Person) -> None:
         return int((seen == theme.NOTICE).all(axis=2).sum())
 
     assert golden() == 0
-    progress.Progress().earn("Free fall", 1)
+    challenge_stars.Progress().earn("Free fall", 1)
     visitor.press(pygame.K_F2)
     visitor.press(pygame.K_F2)
     one = golden()
-    progress.Progress().earn("Free fall", 3)
+    challenge_stars.Progress().earn("Free fall", 3)
     visitor.press(pygame.K_F2)
     visitor.press(pygame.K_F2)
 

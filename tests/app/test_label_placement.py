@@ -7,8 +7,8 @@ import pytest
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
-from sandbox.app.stage import given_forces
-from sandbox.app.stage.given_forces import ForceLabel, Forces
+from sandbox.app.stage import given_force_arrows
+from sandbox.app.stage.given_force_arrows import ForceLabel, Forces
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.motion_marks import boxes
 from sandbox.app.stage.overlays import forces
@@ -277,7 +277,7 @@ def test_the_forces_on_a_chassis_are_written_beside_the_car(
     stage.view.looking = session.looking
     stage.asked = "forces"
     written: list[ForceLabel] = []
-    found = given_forces.beside
+    found = given_force_arrows.beside
 
     def noted(*where: object) -> ForceLabel | None:
         written.extend(text for text in (found(*where),) if text)  # type: ignore[arg-type]

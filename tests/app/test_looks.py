@@ -13,7 +13,7 @@ from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
-from sandbox.app.stage import bodies, joints, strings, surfaces
+from sandbox.app.stage import bodies, joints, static_bodies, strings
 from sandbox.app.stage.body_outlines import outlines
 from sandbox.app.stage.stage import Stage
 from sandbox.model.joints import AngleStop, Stop
@@ -38,7 +38,7 @@ def test_a_one_way_line_has_arrowheads_on_the_side_that_it_lets_through_from(
     outline = outlines(scene, {})["line"]
     surface = pygame.Surface(SIZE)
     if kind == "static":
-        surfaces.draw_surface(surface, Camera(SIZE), outline, (0, 0), 0.0, (0, 3))
+        static_bodies.draw_surface(surface, Camera(SIZE), outline, (0, 0), 0.0, (0, 3))
     else:
         bodies.draw_body(surface, Camera(SIZE), outline, (0, 0), 0.0, spoke=False)
 

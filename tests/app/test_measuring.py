@@ -6,15 +6,15 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app.measuring import probe
+from sandbox.app.measuring import trail_probe
 from sandbox.app.measuring.protractor import Protractor
 from tests.app.person import Person
 
 
-def at(person: Person, point: tuple[float, float]) -> probe.ProbedInstant | None:
+def at(person: Person, point: tuple[float, float]) -> trail_probe.ProbedInstant | None:
     """Return what is found under a point of the plane [m]."""
     stage = person.window.stage
-    return probe.find(stage.view, person.session, stage.camera.to_screen(point))
+    return trail_probe.find(stage.view, person.session, stage.camera.to_screen(point))
 
 
 @pytest.mark.sweep
@@ -57,7 +57,7 @@ def test_a_body_in_the_hand_is_not_covered_by_the_probe(
     person.window.open_level("momentum/cradle")
     person.wait()
     drawn: list[object] = []
-    monkeypatch.setattr(probe, "draw", lambda *told: drawn.append(told))
+    monkeypatch.setattr(trail_probe, "draw", lambda *told: drawn.append(told))
     x, y = person.on_screen((0.2, 0.0))
     person.drag((x, y), (x - 60, y - 20), let_go=False)
     before = len(drawn)

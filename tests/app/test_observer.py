@@ -4,7 +4,7 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app.measuring import probe
+from sandbox.app.measuring import trail_probe
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.stage.level_labels import seen_from
 from sandbox.app.stage.observer import CENTER, Observer
@@ -148,7 +148,7 @@ def test_a_probe_tells_what_the_observer_saw(person: Person) -> None:
     row = view.outlines["first"].row
     drawn = view.observer.path(history.position)[3, row]
 
-    found = probe.find(view, session, view.camera.to_screen(tuple(drawn.tolist())))
+    found = trail_probe.find(view, session, view.camera.to_screen(tuple(drawn.tolist())))
 
     assert found is not None
     assert found.speed == pytest.approx(np.hypot(*history.velocity[0, row]) / 2, rel=1e-9)

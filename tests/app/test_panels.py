@@ -14,7 +14,7 @@ from sandbox.app.panels import play_bar
 from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Parameters
-from sandbox.app.widgets.sheet import BAR, MARGIN
+from sandbox.app.widgets.scrolling_area import BAR, MARGIN
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app import scenes

@@ -11,7 +11,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
-from sandbox.app.stage import overlay_key
+from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.joint_paths import between_ends
 from sandbox.app.stage.overlays import contacts, loads, turning
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -206,7 +206,7 @@ def test_a_key_too_wide_for_the_stage_is_written_smaller(pen: Pen, width: int) -
     rows = [(lambda *_: None, "slides: the force lies on the edge of the friction cone")]
     drawn = pygame.Surface((width, 500))
 
-    overlay_key.draw(drawn, found.view, rows, "key of a test")
+    overlay_legend.draw(drawn, found.view, rows, "key of a test")
 
     assert (pygame.surfarray.array3d(drawn) == theme.PANEL).all(axis=2).any()
 

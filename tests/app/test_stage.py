@@ -15,7 +15,7 @@ from sandbox.model import level_catalog
 from sandbox.model.joints import Rod, Wire
 from sandbox.model.loading import choose, load
 from sandbox.model.shapes import XY
-from sandbox.model.wires import along
+from sandbox.model.wire_points import along
 from tests.app import scenes
 
 SIZE = (640, 480)

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox import interrupts, streams
+from sandbox import interrupts, standard_streams
 from sandbox.__main__ import main
 from sandbox.model import level_catalog
 from tests.cli.helpers import Outcome, Run, Write, fall
@@ -12,7 +12,7 @@ from tests.cli.helpers import Outcome, Run, Write, fall
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Run:
     """Runs a command in this process."""
-    for module in (interrupts, streams):
+    for module in (interrupts, standard_streams):
         monkeypatch.setattr(module, "install", lambda: None)
     for name, value in (("SDL_VIDEODRIVER", "dummy"), ("SDL_AUDIODRIVER", "dummy")):
         monkeypatch.setenv(name, value)

@@ -20,7 +20,7 @@ from sandbox.editing.edits import (
     pendulum_angle,
     resizing,
     rope_wrapping,
-    tilting,
+    slope_angle,
     transforms,
 )
 from sandbox.editing.expanded_level import plain
@@ -162,7 +162,7 @@ def checked(text: str, hand: Hand) -> str:
 
 
 def tilted(text: str, hand: Hand) -> str:
-    return tilting.tilt(text, hand.level, hand.body())
+    return slope_angle.tilt(text, hand.level, hand.body())
 
 
 def swung(text: str, hand: Hand) -> str:

@@ -17,11 +17,11 @@ from time import process_time
 
 import typer
 
-from sandbox.app.files import preferences, progress, recent
+from sandbox.app.files import challenge_stars, preferences, recent_files
 from sandbox.app.home.draft_strip import summary
 from sandbox.app.runs import crash_recovery, runfile
 from sandbox.app.runs.session import Session
-from sandbox.editing import recovery
+from sandbox.editing import draft_recovery
 from sandbox.editing.draft import Draft
 from sandbox.experiments import catalog
 from sandbox.experiments.measured_data import read as read_data
@@ -30,7 +30,7 @@ from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import load
 from sandbox.physics.state.errors import BreakdownError
 from tests.elsewhere import move_home
-from validation.fuzz.mutation import change
+from validation.fuzz.mutated_levels import change
 
 LEVEL = "newton/atwood"
 STEPS = 30  # of runs that are repeated
@@ -64,7 +64,7 @@ def _left(_: Path) -> None:
 
 
 def _drafts(_: Path) -> None:
-    for left in recovery.recoverable():
+    for left in draft_recovery.recoverable():
         summary(left)
         left.draft()
 
@@ -79,17 +79,23 @@ def kinds(folder: Path) -> dict[str, Kind]:
     run = [runfile.text(runfile.run_of(session))]
     text, data = level.text, ["# by hand\nt,left.position.y\n0,0\n0.1,0.01\n0.2,0.04\n"]
     shipped = [catalog.find(name).read_text(encoding="utf-8") for name in catalog.names()]
-    draft = recovery.RecoveryFile(path=None, saved="{}", text=text, when=1.7e9).model_dump_json()
+    draft = draft_recovery.RecoveryFile(
+        path=None, saved="{}", text=text, when=1.7e9
+    ).model_dump_json()
     chosen = preferences.Preferences(size=100, language="de").model_dump_json()
     return {
         "run": Kind(run, folder / f"x{runfile.SUFFIX}", _run),
         "left run": Kind(run, crash_recovery.folder() / f"{NAME}{runfile.SUFFIX}", _left),
-        "draft": Kind([draft], recovery.folder() / f"{NAME}.draft.json", _drafts),
+        "draft": Kind([draft], draft_recovery.folder() / f"{NAME}.draft.json", _drafts),
         "experiment": Kind(shipped, folder / "e.json", catalog.open_plan),
         "data": Kind(data, folder / "d.csv", lambda path: read_data(path, level)),
         "settings": Kind([chosen], preferences.file(), lambda _: preferences.WindowPreferences()),
-        "stars": Kind(['{"One": 2, "Two": 3}'], progress.file(), lambda _: progress.Progress()),
-        "recent": Kind(['["/x/a.json", "/y/b.json"]'], recent.file(), lambda _: recent.Recent()),
+        "stars": Kind(
+            ['{"One": 2, "Two": 3}'], challenge_stars.file(), lambda _: challenge_stars.Progress()
+        ),
+        "recent": Kind(
+            ['["/x/a.json", "/y/b.json"]'], recent_files.file(), lambda _: recent_files.Recent()
+        ),
         "level": Kind([text], folder / "l.json", load),
         "drawing": Kind([text], folder / "l.json", Draft.open),
     }

@@ -28,10 +28,10 @@ import typer
 
 from sandbox import interrupts
 from sandbox.app import level_picture  # noqa: F401 (imported before anything is forked)
-from sandbox.app.files.progress import Progress
+from sandbox.app.files.challenge_stars import Progress
 from sandbox.cli import commands as sandbox_commands
 from sandbox.cli import experiment, format, generate, migrate, new, render, simulate, tour  # noqa: A004, F401 (as above)
-from sandbox.experiments import batch_scheduling, storage  # noqa: F401 (as above)
+from sandbox.experiments import batch_scheduling, experiment_folder  # noqa: F401 (as above)
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import write_atomically

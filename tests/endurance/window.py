@@ -32,7 +32,7 @@ from sandbox.model import level_catalog
 from tests.elsewhere import move_home
 from tests.endurance.memory import held
 from validation.fuzz.command import made
-from validation.fuzz.mutation import mutated
+from validation.fuzz.mutated_levels import mutated
 
 FRAME = 1 / 60  # s
 PARTS, LAST = 20, 5

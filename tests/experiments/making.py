@@ -10,9 +10,9 @@ import pyarrow.parquet as pq
 from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.executors import Executor, SerialExecutor
 from sandbox.experiments.experiment_file import made
+from sandbox.experiments.experiment_folder import Store
+from sandbox.experiments.make_plan import make
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.planning import make
-from sandbox.experiments.storage import Store
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 

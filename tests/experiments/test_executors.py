@@ -10,8 +10,8 @@ from distributed import Client
 
 from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.executors import SerialExecutor, cluster
+from sandbox.experiments.experiment_folder import RESULTS, Store
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.storage import RESULTS, Store
 from sandbox.model.errors import SandboxError
 from tests.experiments.machines import Machines
 from tests.experiments.making import RANGE, plan, table

@@ -7,8 +7,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from sandbox.experiments import report
+from sandbox.experiments.experiment_folder import RESULTS
 from sandbox.experiments.parameter_axes import parse
-from sandbox.experiments.storage import RESULTS
 from sandbox.reporting.svg import inline
 from tests.experiments.making import RANGE, plan, table
 

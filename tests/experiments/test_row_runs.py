@@ -12,9 +12,9 @@ import pytest
 
 from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.executors import ProcessExecutor, SerialExecutor
+from sandbox.experiments.experiment_folder import PARTS, RESULTS, Store
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.row_runs import Task, pack, run
-from sandbox.experiments.storage import PARTS, RESULTS, Store
 from sandbox.model.errors import SandboxError
 from sandbox.model.translatable_message import Message
 from tests.elsewhere import PATIENCE, ROOT
@@ -151,7 +151,7 @@ def test_a_full_disk_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPat
             Message("cannot write {tmp_path}: No space left on device", tmp_path=tmp_path)
         )
 
-    monkeypatch.setattr("sandbox.experiments.storage.write_atomically", full)
+    monkeypatch.setattr("sandbox.experiments.experiment_folder.write_atomically", full)
     with pytest.raises(SandboxError, match="No space left on device"):
         conduct(found, store, SerialExecutor(), lambda _: None)
     monkeypatch.undo()

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from sandbox.experiments import catalog, report, schema
+from sandbox.experiments.experiment_folder import RESULTS
+from sandbox.experiments.make_plan import make
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.planning import make
-from sandbox.experiments.storage import RESULTS
 from tests.experiments.making import table
 
 

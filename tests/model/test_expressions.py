@@ -11,8 +11,8 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from sandbox.model.arithmetic import CONSTANTS, FUNCTIONS, MAX_LENGTH, ExpressionError
 from sandbox.model.errors import SandboxError
+from sandbox.model.expression_compiler import CONSTANTS, FUNCTIONS, MAX_LENGTH, ExpressionError
 from sandbox.model.expressions import Expression, Fraction, NonNegative, Positive
 from sandbox.model.functions import Formula
 

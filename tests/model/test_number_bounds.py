@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from sandbox.model import number_bounds
-from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression
 from sandbox.model.schema import schema
 from tests.model.levels import Data, bare, hanging, mistakes, said, setting

@@ -9,9 +9,9 @@ from pydantic import create_model
 
 from sandbox.model import effects, ledger_accounts
 from sandbox.model.base import Model
-from sandbox.model.effect_variants import DEFAULTS, including
 from sandbox.model.effects import EFFECTS, Effects, magnetic
 from sandbox.model.effects.contract import Effect, IncompleteError, register
+from sandbox.model.levels_with_changed_effects import DEFAULTS, including
 from sandbox.model.number_bounds import Strength
 from sandbox.model.reference_fields import ActedOn
 from tests.effects import examples

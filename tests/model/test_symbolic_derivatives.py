@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sandbox.model.arithmetic import FUNCTIONS, ExpressionError
+from sandbox.model.expression_compiler import FUNCTIONS, ExpressionError
 from sandbox.model.expressions import Array
 from sandbox.model.number_bounds import EnergyInField
 from sandbox.model.symbolic_derivatives import RULES

@@ -13,19 +13,19 @@ from hypothesis import strategies as st
 from sandbox.model.expressions import Array
 from sandbox.physics.run import build
 from validation.compose import property_checks
+from validation.compose.body_distances import Couple, couples, gap
 from validation.compose.command import judge_scene, judged
 from validation.compose.families import FAMILIES
 from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.property_checks import MARGIN, Case, Judge, Judgement, judge
 from validation.compose.recorded_run import Course, Refused, run, run_at_advised_rate, start
 from validation.compose.scene_builder import Draft
-from validation.compose.scenes import Scene, scene, seeds
-from validation.compose.separation import Couple, couples, gap
+from validation.compose.scene_symmetries import mirrored, turned
+from validation.compose.seeded_scenes import Scene, scene, seeds
 from validation.compose.shapes import centroid, moment, outline
 from validation.compose.statics import Measured, Statics
-from validation.compose.symmetry import mirrored, turned
-from validation.stability.case import make
-from validation.stability.scene import Document
+from validation.stability.hard_case import make
+from validation.stability.scene_parts import Document
 
 SOUND = ("machine", "springs", "four_bar", "wedged", "trolley", "braked_wheel")
 """The families of which no scene is known that fails, and whose scenes are quick."""

@@ -14,7 +14,7 @@ from validation import cli
 from validation.compose import command
 from validation.compose.command import Outcome, complaints, judged
 from validation.compose.property_checks import Case, Judgement
-from validation.compose.scenes import scene, seeds
+from validation.compose.seeded_scenes import scene, seeds
 
 
 def outcome_of(seed: int, *, passed: bool) -> Outcome:

@@ -11,7 +11,8 @@ from sandbox.model.loading import load
 from sandbox.physics.run import build
 from validation.case import textbook
 from validation.cli import app
-from validation.effects import costs, growth
+from validation.effects import cost_growth, costs
+from validation.effects.cost_growth import growths
 from validation.effects.costs import (
     ALL_PAIRS,
     DECLARED,
@@ -21,7 +22,6 @@ from validation.effects.costs import (
     level_costs,
     unhook,
 )
-from validation.effects.growth import growths
 
 
 def test_a_level_is_measured_with_its_hooks_and_without() -> None:
@@ -86,7 +86,7 @@ def test_the_exponent_is_that_of_a_power() -> None:
 def test_the_figures_are_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(level_catalog, "names", lambda: ["kinematics/free-fall"])
     monkeypatch.setattr(costs, "QUICK", (1, 2))
-    monkeypatch.setattr(growth, "QUICK", {"gas": (1, 2)})
+    monkeypatch.setattr(cost_growth, "QUICK", {"gas": (1, 2)})
 
     done = CliRunner().invoke(app, ["effects", "--quick", "--json", str(tmp_path / "e.json")])
 

@@ -19,15 +19,14 @@ from sandbox.model.effects import Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint
 from sandbox.model.schema import schema
-from sandbox.model.shorthand.repeating import REPEAT
+from sandbox.model.shorthand.repeated_members import REPEAT
 from tests.elsewhere import python
 from tests.model.levels import bare, hanging
 from validation.cli import app
 from validation.fuzz import command, isolated_trial
+from validation.fuzz.atheris_process import Choices
 from validation.fuzz.command import Findings, made, shrunk
-from validation.fuzz.explorer import Choices
-from validation.fuzz.grammar import Grammar
-from validation.fuzz.guided import guided
+from validation.fuzz.coverage_guided_levels import guided
 from validation.fuzz.isolated_trial import (
     ENDED,
     NO_ANSWER,
@@ -41,8 +40,9 @@ from validation.fuzz.isolated_trial import (
     Tried,
     attempt,
 )
-from validation.fuzz.mutation import places
-from validation.fuzz.repair import mended
+from validation.fuzz.level_repair import mended
+from validation.fuzz.mutated_levels import places
+from validation.fuzz.schema_grammar import Grammar
 
 JOINTS = [kind.model_fields["type"].annotation for kind in get_args(get_args(Joint)[0])]
 
@@ -228,7 +228,7 @@ def test_atheris_leaves_no_file_behind_if_whoever_asked_it_is_killed(tmp_path: P
     ours, theirs = Pipe()
     options = (str(theirs.fileno()), "1", str(tmp_path / "inputs"))
     with subprocess.Popen(
-        [sys.executable, "-m", "validation.fuzz.explorer", *options],
+        [sys.executable, "-m", "validation.fuzz.atheris_process", *options],
         pass_fds=[theirs.fileno()], cwd=tmp_path, env={**os.environ, "PYTHONPATH": os.getcwd()},
         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
     ):  # fmt: skip
@@ -244,7 +244,7 @@ def test_what_atheris_finds_counts_if_the_level_fails_by_itself(
 ) -> None:
     """A process may end, be slow because of its counting, or have had enough of many levels."""
     seen = [(0, "{}", Outcome(RUNS)), (0, "[1]", Outcome(SLOW)), (1, "[2]", None)]
-    monkeypatch.setattr("validation.fuzz.guided._explored", lambda *_: iter(seen))
+    monkeypatch.setattr("validation.fuzz.coverage_guided_levels._explored", lambda *_: iter(seen))
     monkeypatch.setattr(Trial, "run", lambda _, text: Outcome(ENDED if "2" in text else RUNS))
 
     found = list(islice(guided(1, Trial()), 4))

@@ -7,8 +7,8 @@ import pytest
 from typer.testing import CliRunner
 
 from validation import cli
-from validation.pace import measuring
-from validation.pace.measuring import Pace
+from validation.pace import pace_measurement
+from validation.pace.pace_measurement import Pace
 from validation.requests.accuracy_request import Trial, trial
 from validation.requests.command import complaints, summary
 
@@ -38,11 +38,11 @@ def test_a_core_half_as_fast_leaves_the_share_of_the_reference(
     clock = iter(range(10**6))
     found = []
     for tick in (1e-3, 2e-3):
-        monkeypatch.setattr(measuring, "process_time", lambda tick=tick: next(clock) * tick)
-        monkeypatch.setattr(measuring, "yardstick", lambda tick=tick: 3 * tick)
-        monkeypatch.setattr(measuring, "SLICE", 50 * tick)
-        monkeypatch.setattr(measuring, "MOST", 1000 * tick)
-        found.append(measuring.pace("kinematics/free-fall"))
+        monkeypatch.setattr(pace_measurement, "process_time", lambda tick=tick: next(clock) * tick)
+        monkeypatch.setattr(pace_measurement, "yardstick", lambda tick=tick: 3 * tick)
+        monkeypatch.setattr(pace_measurement, "SLICE", 50 * tick)
+        monkeypatch.setattr(pace_measurement, "MOST", 1000 * tick)
+        found.append(pace_measurement.pace("kinematics/free-fall"))
 
     slow, fast = found[1], found[0]
     assert slow.load == pytest.approx(2 * fast.load)

@@ -15,8 +15,7 @@ from sandbox.model import level_catalog
 from sandbox.model.level_writing import text
 from sandbox.physics.run import build
 from validation import cli
-from validation.stability import command, history, run
-from validation.stability.case import Frontier, HardCase, make, watch
+from validation.stability import command, frontier_history, run_all_cases
 from validation.stability.families import (
     all_cases,
     all_frontiers,
@@ -26,9 +25,10 @@ from validation.stability.families import (
     cradles,
 )
 from validation.stability.frontier import furthest, reach, step_cost, trial
+from validation.stability.hard_case import Frontier, HardCase, make, watch
 from validation.stability.levels import FOLDER
 from validation.stability.report import failures, out_of_reach
-from validation.stability.run import Outcome, run_case, run_frontier
+from validation.stability.run_all_cases import Outcome, run_case, run_frontier
 from validation.stability.run_measures import drift, separation
 from validation.stability.stock_pymunk import naive
 
@@ -97,29 +97,29 @@ def test_the_search_stops_at_the_first_failure_that_it_sees() -> None:
 
 
 def test_a_frontier_that_lies_further_in_fails_and_further_out_does_not() -> None:
-    before = history.Entry(date="2026-01-01", version="0", figure=100.0, naive=10.0)
+    before = frontier_history.Entry(date="2026-01-01", version="0", figure=100.0, naive=10.0)
 
-    assert history.moved_inward(79, before, 1.25)
-    assert not history.moved_inward(81, before, 1.25)
-    assert not history.moved_inward(1e6, before, 1.25)
-    assert not history.moved_inward(1, None, 1.25)
+    assert frontier_history.moved_inward(79, before, 1.25)
+    assert not frontier_history.moved_inward(81, before, 1.25)
+    assert not frontier_history.moved_inward(1e6, before, 1.25)
+    assert not frontier_history.moved_inward(1, None, 1.25)
 
 
 def test_the_history_grows_when_a_frontier_moves(tmp_path: Path) -> None:
     file = tmp_path / "frontiers.json"
     for figure, alone in ((100.0, 7.0), (100.0, 8.0), (140.0, 7.0), (140.0, 70.0)):
-        history.update({"height": (figure, alone)}, file)
+        frontier_history.update({"height": (figure, alone)}, file)
 
-    entries = history.read(file)["height"]
+    entries = frontier_history.read(file)["height"]
 
     assert [(e["figure"], e["naive"]) for e in entries] == [(100, 7), (140, 7), (140, 70)]
-    assert history.last(history.read(file), "height") == entries[-1]
-    assert history.last(history.read(file), "length") is None
-    assert history.read(tmp_path / "none.json") == {}
+    assert frontier_history.last(frontier_history.read(file), "height") == entries[-1]
+    assert frontier_history.last(frontier_history.read(file), "length") is None
+    assert frontier_history.read(tmp_path / "none.json") == {}
 
 
 def test_every_frontier_is_written_down_and_none_behind_pymunk_without_a_reason() -> None:
-    kept = history.read()
+    kept = frontier_history.read()
 
     assert kept.keys() == FRONTIERS.keys()
     for name, frontier in FRONTIERS.items():
@@ -128,7 +128,7 @@ def test_every_frontier_is_written_down_and_none_behind_pymunk_without_a_reason(
 
 
 def test_loads_cradles_bullets_and_cars_reach_ten_times_as_far_as_pymunk() -> None:
-    kept = history.read()
+    kept = frontier_history.read()
     for name in (
         "a load on 20 links",
         "a cradle that touches",
@@ -174,7 +174,7 @@ def test_a_second_order_case_is_seen_to_be_one() -> None:
 
 def test_a_bound_that_is_missed_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
     strict = replace(CASES["a damped spring"], bound=1e-9)
-    monkeypatch.setattr(run, "all_cases", lambda: iter([strict]))
+    monkeypatch.setattr(run_all_cases, "all_cases", lambda: iter([strict]))
 
     assert not run_case(strict.name, quick=True).passed
 
@@ -187,7 +187,7 @@ def test_a_run_that_has_to_stop_misses_its_bound_and_says_why(
         name="too taut", family="chains", group="C", level="", criterion="", bound=1.0,
         figure=separation, scene=scene, duration=1,
     )  # fmt: skip
-    monkeypatch.setattr(run, "all_cases", lambda: iter([taut]))
+    monkeypatch.setattr(run_all_cases, "all_cases", lambda: iter([taut]))
 
     found = run_case(taut.name, quick=True)
 
@@ -349,7 +349,7 @@ def test_a_case_that_fails_is_exit_status_1(monkeypatch: pytest.MonkeyPatch) -> 
 def test_frontiers_are_written_down_only_when_asked(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(command, "outcomes", few)
     written: list[object] = []
-    monkeypatch.setattr(history, "update", written.append)
+    monkeypatch.setattr(frontier_history, "update", written.append)
 
     CliRunner().invoke(cli.app, ["stability"])
     assert written == []

@@ -18,10 +18,10 @@ from sandbox.processes import spread
 from validation import output
 from validation.compose.property_checks import Judgement, judge
 from validation.compose.recorded_run import Refused, run_at_advised_rate
-from validation.compose.scenes import Scene, scene
+from validation.compose.seeded_scenes import Scene, scene
 from validation.environment import environment
 from validation.output import finite
-from validation.stability.scene import Document
+from validation.stability.scene_parts import Document
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.level import Level
-from validation.compose.separation import body_of
-from validation.stability.scene import Document
+from validation.compose.body_distances import body_of
+from validation.stability.scene_parts import Document
 
 Numbers = NDArray[Any]
 """Real numbers, or complex ones for a derivative."""

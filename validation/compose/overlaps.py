@@ -4,8 +4,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.solver_choice import is_direct
+from validation.compose.body_distances import Couple
 from validation.compose.recorded_run import Course
-from validation.compose.separation import Couple
 
 SKIN = 1.1e-6
 """The overlap that is always allowed [m]: the engine leaves 1e-6 m, approached from above."""

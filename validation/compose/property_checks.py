@@ -14,16 +14,16 @@ import numpy as np
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
-from validation.compose.energies import NEXT, Energies, is_passive
+from validation.compose.body_distances import couples
+from validation.compose.independent_energy import NEXT, Energies, is_passive
 from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.overlaps import SKIN, excess, overlapped
 from validation.compose.recorded_run import Course, Refused, positions, run, start
-from validation.compose.separation import couples
+from validation.compose.scene_symmetries import mirrored, turned
 from validation.compose.shapes import extent, is_dynamic
 from validation.compose.statics import Measured, Statics
-from validation.compose.symmetry import mirrored, turned
-from validation.stability.case import make
-from validation.stability.scene import Document
+from validation.stability.hard_case import make
+from validation.stability.scene_parts import Document
 
 FORCES = 1e-6
 """The tolerance of forces, relative to the total weight. The linear programme is solved to 1e-7,

@@ -10,14 +10,14 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.guarding.step_rate_bounds import needed
+from sandbox.physics.guarding.least_step_rate import needed
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
-from validation.compose.scenes import Scene
+from validation.compose.seeded_scenes import Scene
 
 MOST_STEPS = 720
 """The most steps of a run; a run with a high rate is shorter."""

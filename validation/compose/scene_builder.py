@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.physics.scene.stability_limits import MARGIN
 from validation.compose.shapes import is_dynamic, thinnest
-from validation.stability.scene import Document, G, Place, level, rounded
+from validation.stability.scene_parts import Document, G, Place, level, rounded
 
 T = TypeVar("T")
 

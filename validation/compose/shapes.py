@@ -10,7 +10,7 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
-from validation.stability.scene import Document
+from validation.stability.scene_parts import Document
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sandbox.model.file_writing import write_atomically
-from sandbox.reporting import plots
+from sandbox.reporting import plot_style
 from validation.cost.summary import LEAST
 from validation.cost.sweep import Point, Sweep
 
@@ -26,24 +26,24 @@ LOOKS = {
 def draw(sweep: Sweep, folder: Path) -> Path:
     """Draw a level's diagram as a PNG, and return its path; raise `SandboxError` if that fails."""
     path = folder / f"{sweep.level.replace('/', '-')}.png"
-    write_atomically(path, plots.written(diagram(sweep), "png"))
+    write_atomically(path, plot_style.written(diagram(sweep), "png"))
     return path
 
 
 def diagram(sweep: Sweep) -> Figure:
     """Return the diagram of a level."""
-    with plots.style():
+    with plot_style.style():
         figure = Figure(figsize=(5.2, 3.9), layout="constrained")
         figure.suptitle(sweep.level, fontsize=10)
         axes = figure.subplots()
         for setting, points in groupby(sweep.points, lambda p: (p.scheme, p.iterations)):
             _line(axes, *setting, [p for p in points if p.error < float("inf")])
         _own(axes, sweep)
-        plots.logarithmic(axes)
+        plot_style.logarithmic(axes)
         axes.set(
             xlabel="ms of computing for a second of the scene", ylabel="largest error of the run"
         )
-        plots.legend_below(figure, axes, columns=2)
+        plot_style.legend_below(figure, axes, columns=2)
     return figure
 
 

@@ -5,9 +5,9 @@ from dataclasses import asdict
 from pathlib import Path
 
 from validation import output
-from validation.effects import costs, growth
+from validation.effects import cost_growth, costs
+from validation.effects.cost_growth import Growth
 from validation.effects.costs import EffectCost, LevelCost
-from validation.effects.growth import Growth
 from validation.effects.tables import effect_table, growth_table, level_table
 from validation.environment import environment
 
@@ -26,7 +26,11 @@ def measured(*, quick: bool) -> tuple[list[LevelCost], list[EffectCost], list[Gr
     """Measure every level of the catalog, every effect, and the crowds."""
     levels = list(costs.level_costs(repeats=2 if quick else 5))
     effects = costs.effect_costs(costs.QUICK if quick else costs.COUNTS)
-    return levels, effects, list(growth.growths(growth.QUICK if quick else growth.COUNTS))
+    return (
+        levels,
+        effects,
+        list(cost_growth.growths(cost_growth.QUICK if quick else cost_growth.COUNTS)),
+    )
 
 
 def content(

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.model import effect_variants, effects, level_catalog
+from sandbox.model import effects, level_catalog, levels_with_changed_effects
 from sandbox.model.crowd_levels import crowd
 from sandbox.model.level import Level
 from sandbox.model.level_writing import text
@@ -24,7 +24,7 @@ COUNTS = (1, 10, 100, 1000, 10_000)
 QUICK = COUNTS[:3]
 
 DECLARED: Mapping[str, object] = {
-    **effect_variants.DEFAULTS,
+    **levels_with_changed_effects.DEFAULTS,
     "friction": {},
     "restitution": {},
     "attraction": [{"mu": 1, "center": [-50, -50]}],

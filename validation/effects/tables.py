@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from rich.table import Table
 
 from validation import output
+from validation.effects.cost_growth import Growth
 from validation.effects.costs import EffectCost, LevelCost
-from validation.effects.growth import Growth
 
 
 def level_table(costs: Sequence[LevelCost]) -> Table:

@@ -7,9 +7,9 @@ a sphere, 2/3 for a hollow sphere, and 0 for a body that slides without friction
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from validation.formulas import lagrange
+from validation.formulas import oscillators
 from validation.formulas.array_type import Array
-from validation.formulas.lagrange import pendulum_period
+from validation.formulas.oscillators import pendulum_period
 
 HOOP = 1.0
 DISC = 1 / 2
@@ -93,12 +93,12 @@ def cycloid_height(factor: float, radius: float, g: float, start: float, t: Arra
     bead under the gravity g / (1 + k). So s = 4 R sin(θ/2) cos(ωt), ω² = g / (4 (1 + k) R), for any
     start θ [rad] in x = R (θ + sin θ), y = R (1 − cos θ). k = 0 is sliding; R, g > 0, |θ| < π.
     """
-    return lagrange.cycloid_height(t, radius, g / (1 + factor), start)
+    return oscillators.cycloid_height(t, radius, g / (1 + factor), start)
 
 
 def cycloid_quarter(factor: float, radius: float, g: float) -> float:
     """Return the time until the lowest point [s]: π √((1 + k) R / g), from any start."""
-    return lagrange.cycloid_time(radius, g / (1 + factor))
+    return oscillators.cycloid_time(radius, g / (1 + factor))
 
 
 def trough_speed(factor: float, length: float, g: float, amplitude: float) -> float:

@@ -18,11 +18,11 @@ import typer
 from sandbox.model.file_writing import folder_of_files, write_atomically
 from validation import output
 from validation.environment import environment
-from validation.fuzz.guided import available, guided
+from validation.fuzz.coverage_guided_levels import available, guided
 from validation.fuzz.isolated_trial import Trial, Tried
-from validation.fuzz.mutation import places
-from validation.fuzz.repair import answered
-from validation.fuzz.shorthand import drawn_level
+from validation.fuzz.level_repair import answered
+from validation.fuzz.mutated_levels import places
+from validation.fuzz.random_shorthand import drawn_level
 
 TRIES = 120
 

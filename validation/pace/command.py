@@ -9,7 +9,7 @@ from rich.table import Table
 from sandbox.model import level_catalog
 from validation import output
 from validation.environment import environment
-from validation.pace.measuring import Pace, pace
+from validation.pace.pace_measurement import Pace, pace
 
 
 def measure(names: Sequence[str], json_file: Path | None) -> list[str]:

@@ -11,7 +11,7 @@ from rich.console import Console
 from sandbox.model.errors import MisuseError, SandboxError
 from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
 from sandbox.model.translatable_message import Message
-from sandbox.reporting import plots
+from sandbox.reporting import plot_style
 from validation.output import save
 from validation.report import measurements, page
 
@@ -90,5 +90,5 @@ def _rescued(contents: Contents) -> Iterator[None]:
 def _draw(found: page.Report, folder: Path) -> None:
     with folder_of_files(folder):
         for name, figure in found.figures.items():
-            for form in plots.FORMS:
-                write_atomically(folder / f"{name}.{form}", plots.written(figure, form))
+            for form in plot_style.FORMS:
+                write_atomically(folder / f"{name}.{form}", plot_style.written(figure, form))

@@ -20,11 +20,11 @@ from validation.cost import command as cost
 from validation.cost.accuracy_requests import Request
 from validation.cost.sweep import Sweep
 from validation.effects import command as effects
+from validation.effects.cost_growth import Growth
 from validation.effects.costs import EffectCost, LevelCost
-from validation.effects.growth import Growth
 from validation.stability import command as stability
-from validation.stability.run import Outcome as Hard
-from validation.stability.run import run
+from validation.stability.run_all_cases import Outcome as Hard
+from validation.stability.run_all_cases import run
 
 SAMPLE = (
     "kinematics/projectile",

@@ -10,15 +10,15 @@ from matplotlib.figure import Figure
 
 from sandbox.model.errors import SandboxError
 from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS
-from sandbox.reporting import pages, plots
+from sandbox.reporting import html_pages, plot_style
 from sandbox.reporting.svg import inline
 from validation.cost import figure as cost_figure
 from validation.cost import report as cost_report
 from validation.cost.summary import TARGETS, cost_to_reach, next_digit
 from validation.cost.sweep import NAIVE, Sweep
 from validation.effects import figure as effects_figure
+from validation.effects.cost_growth import Growth
 from validation.effects.costs import EffectCost, LevelCost
-from validation.effects.growth import Growth
 from validation.effects.tables import rows
 from validation.report import measurements
 from validation.report.digest.claims import Cases, cases, chosen, share
@@ -112,7 +112,7 @@ def figure_name(level: str) -> str:
 
 def html(found: Report) -> str:
     """Return the page."""
-    templates = pages.environment("validation.report")
+    templates = html_pages.environment("validation.report")
     templates.filters.update(
         sci=scientific,
         number=number,
@@ -190,7 +190,7 @@ def times(ratio: float) -> str:
     if ratio < LARGE:
         return f"{cost_report.two_digits(ratio)} times"
     exponent = floor(log10(ratio))
-    return f"{ratio / 10**exponent:.1f} × 10{plots.superscript(exponent)} times"
+    return f"{ratio / 10**exponent:.1f} × 10{plot_style.superscript(exponent)} times"
 
 
 def cost(seconds: float | None) -> str:

@@ -16,11 +16,11 @@ from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
+from sandbox.physics.accuracy.counted_step_cost import counted_cost
 from sandbox.physics.accuracy.exceptions import AccuracyError
-from sandbox.physics.accuracy.refinement import furthest
-from sandbox.physics.accuracy.step_cost import counted_cost
+from sandbox.physics.accuracy.step_refinement import furthest
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.scene.schemes import usable
+from sandbox.physics.scene.usable_schemes import usable
 from sandbox.physics.state.errors import SimulationError
 
 TARGETS = (1e-3, 1e-6, 1e-9)

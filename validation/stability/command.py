@@ -9,10 +9,10 @@ import typer
 from validation import output
 from validation.environment import environment
 from validation.output import finite
-from validation.stability import history
+from validation.stability import frontier_history
 from validation.stability.families import all_cases, all_frontiers
 from validation.stability.report import failures, out_of_reach, standing, tables
-from validation.stability.run import Outcome, outcomes
+from validation.stability.run_all_cases import Outcome, outcomes
 
 
 def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
@@ -28,8 +28,8 @@ def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
         frontiers = {
             o.name: (o.frontier, o.naive_frontier or 0.0) for o in found if o.frontier is not None
         }
-        history.update(frontiers)
-        typer.echo(f"Frontiers written to {history.FILE}.")
+        frontier_history.update(frontiers)
+        typer.echo(f"Frontiers written to {frontier_history.FILE}.")
     failed = failures(found)
     output.complain(failed)
     return failed

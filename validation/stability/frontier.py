@@ -17,7 +17,7 @@ from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
-from validation.stability.case import Frontier, figure_of, make, watch
+from validation.stability.hard_case import Frontier, figure_of, make, watch
 from validation.stability.run_measures import Run
 from validation.stability.stock_pymunk import naive
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from rich.table import Table
 
 from validation import output
-from validation.stability.run import Outcome
+from validation.stability.run_all_cases import Outcome
 
 ENOUGH = 0.9
 """The share of group C that must stand at a cost below real time."""

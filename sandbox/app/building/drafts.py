@@ -7,7 +7,7 @@ from pathlib import Path
 
 from sandbox.app.files import save_folder
 from sandbox.editing.draft import Draft
-from sandbox.editing.recovery import Recoverable, Recovery, recoverable
+from sandbox.editing.draft_recovery import Recoverable, Recovery, recoverable
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import make_folder

@@ -4,8 +4,8 @@ import json
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, TypeVar
 
+from sandbox.app.building.mouse_position import Part
 from sandbox.app.building.partial_level import PartialLevel
-from sandbox.app.building.pointer import Part
 from sandbox.app.building.snapping import Snapping
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.words.language import later, say

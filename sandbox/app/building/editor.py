@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from sandbox.app.building import keys
+from sandbox.app.building import editor_keys
 from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
@@ -135,7 +135,7 @@ class Editor:
 
     def key(self, event: pygame.event.Event, session: Session) -> bool:
         """Handle a key, and return whether it has a meaning here."""
-        return keys.press(self, event, session)
+        return editor_keys.press(self, event, session)
 
     def process(
         self, event: pygame.event.Event, area: pygame.Rect, stage: Stage, session: Session

@@ -4,12 +4,12 @@ from functools import partial
 
 import pygame
 
-from sandbox.app.building import painting
+from sandbox.app.building import editor_painting
 from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.fault_preview import FaultPreview
 from sandbox.app.building.live_edits import EditableRun
-from sandbox.app.building.pointer import MousePosition
+from sandbox.app.building.mouse_position import MousePosition
 from sandbox.app.building.toolbox import FIRST, Toolbox
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage.stage import Stage
@@ -25,7 +25,7 @@ class EditorOnStage:
     ) -> None:
         self._work, self._live, self._tools, self._applying = work, live, tools, applying
         self._spot: MousePosition | None = None
-        self._picture = painting.CachedDrawing()
+        self._picture = editor_painting.CachedDrawing()
         self._foreseeing = FaultPreview()
 
     # the mouse
@@ -96,16 +96,16 @@ class EditorOnStage:
         surface.blit(self._picture.of(work, pen), (0, 0))
         self._foreseeing.look(work, tools.hand, self._spot)
         if not self._foreseeing.found:  # what is dragged is no longer where it was
-            painting.draw_culprits(surface, work.sketch, self._applying.culprits, camera)
+            editor_painting.draw_culprits(surface, work.sketch, self._applying.culprits, camera)
         if self._spot is not None and tools.tool not in ("select", "delete"):
-            painting.caught(surface, camera, pen, self._spot.snapped)
+            editor_painting.caught(surface, camera, pen, self._spot.snapped)
         tools.hand.draw(surface, pen)
         self._draw_foreseen(surface, pen, say(tools.hand.hint))
 
     def _draw_foreseen(self, surface: pygame.Surface, pen: Pen, hint: str) -> None:
         """Mark the faults of what the tool would make, or give a hint if there are none."""
         if not self._foreseeing.draw(surface, pen, self._tools.bench):
-            painting.draw_hint(surface, pen, hint)
+            editor_painting.draw_hint(surface, pen, hint)
 
     def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
         """Draw the selection over the run, and the preview of what is added to it."""
@@ -115,11 +115,11 @@ class EditorOnStage:
         for family, name in live.selected:
             if family == "bodies" and (outline := view.outlines.get(name)):
                 corners = outline.placed(*view.state(outline))
-                painting.draw_around(surface, stage.camera, corners, closed=outline.closed)
+                editor_painting.draw_around(surface, stage.camera, corners, closed=outline.closed)
         if tools.tool == FIRST:
             return
         if tools.hand.busy and self._spot is not None:
-            painting.caught(surface, stage.camera, pen, self._spot.snapped)
+            editor_painting.caught(surface, stage.camera, pen, self._spot.snapped)
         if live.fresh:
             tools.hand.draw(surface, pen)
         self._foreseeing.look(live, tools.hand, self._spot)

@@ -4,7 +4,7 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app.building import painting
+from sandbox.app.building import editor_painting
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.partial_level import parts_of
 from sandbox.app.building.tools.tool import Tool
@@ -64,8 +64,8 @@ class FaultPreview:
         names = frozenset[str]().union(*(fault.names for fault in found.faults))
         if found.changed is not None:
             changed = parts_of(found.changed)
-            painting.draw_culprits(surface, changed, names, work.camera)
+            editor_painting.draw_culprits(surface, changed, names, work.camera)
             names -= changed.bodies.keys() | changed.joints.keys()
-        painting.draw_culprits(surface, work.sketch, names, work.camera)
-        painting.draw_hint(surface, pen, say(found.faults[0].reason), refused=True)
+        editor_painting.draw_culprits(surface, work.sketch, names, work.camera)
+        editor_painting.draw_hint(surface, pen, say(found.faults[0].reason), refused=True)
         return True

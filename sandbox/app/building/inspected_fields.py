@@ -12,22 +12,22 @@ from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.effect_examples import example
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggested_checks
-from sandbox.editing.cleanup import accepted
+from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits import effects
+from sandbox.editing.edits.automatic_title import entitled
 from sandbox.editing.edits.checks import complete
 from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
-from sandbox.editing.edits.tilting import slope_of, tilt
-from sandbox.editing.edits.titling import entitled
+from sandbox.editing.edits.slope_angle import slope_of, tilt
 from sandbox.editing.renaming import rename
-from sandbox.editing.suggested_checks.recognised_setup import Suggestion
+from sandbox.editing.suggested_checks.recogniser_input import Suggestion
 from sandbox.editing.text_patches import put, put_all, value_at
 from sandbox.model.body import Body
-from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
+from sandbox.model.levels_with_changed_effects import DEFAULTS
 
 NAMED = later("its name: a letter, then letters, digits or _; every mention of it changes, too")
 

@@ -5,7 +5,7 @@ keeps the change among its actions, so that it can be repeated, shared and undon
 """
 
 from sandbox.app.building.edited_level import EditedLevel
-from sandbox.app.building.pointer import Part
+from sandbox.app.building.mouse_position import Part
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
 from sandbox.editing.draft import Draft

@@ -19,18 +19,18 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 from sandbox.app.drawing import lines, shading
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
-from sandbox.app.stage import bodies, grid, joints, surfaces
+from sandbox.app.stage import bodies, grid, joints, static_bodies
 from sandbox.app.stage.body_outlines import Outline, outlined
 from sandbox.model.body import Body
-from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Joint, Rail, Wire, points
 from sandbox.model.level import Level
+from sandbox.model.named_constants import let_use
 from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
-from sandbox.model.wires import along
+from sandbox.model.wire_points import along
 
 Part = TypeVar("Part")
 
@@ -164,7 +164,7 @@ class PartialLevel(Parts):
         for body in self.bodies.values():
             if not body.outline.moves:
                 place = body.position, body.angle
-                surfaces.draw_surface(surface, camera, body.outline, *place, middle)
+                static_bodies.draw_surface(surface, camera, body.outline, *place, middle)
         self._draw_joints(surface, camera, in_front=False)
         few = len(self.bodies) <= bodies.FEW
         for body in self.bodies.values():

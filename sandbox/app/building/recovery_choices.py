@@ -10,8 +10,8 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words import level_translation
 from sandbox.app.words.language import plural, say
 from sandbox.editing.draft import Draft
-from sandbox.editing.edits.titling import is_untitled
-from sandbox.editing.recovery import Recoverable
+from sandbox.editing.draft_recovery import Recoverable
+from sandbox.editing.edits.automatic_title import is_untitled
 from sandbox.model.level import Level
 
 MOST = 6

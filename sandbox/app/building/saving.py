@@ -6,7 +6,7 @@ from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.toolbox import Toolbox
 from sandbox.app.words.language import say
-from sandbox.editing.edits.titling import entitled_by
+from sandbox.editing.edits.automatic_title import entitled_by
 from sandbox.model.errors import SandboxError
 
 

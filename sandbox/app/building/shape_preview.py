@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.building.pointer import SnappedPoint
+from sandbox.app.building.mouse_position import SnappedPoint
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen

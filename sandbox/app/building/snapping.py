@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
-from sandbox.app.building.pointer import SnappedPoint
+from sandbox.app.building.mouse_position import SnappedPoint
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.words.language import later, say
 from sandbox.editing import snapping

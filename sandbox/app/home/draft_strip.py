@@ -8,7 +8,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.runs.crash_recovery import LeftRun, left_runs
 from sandbox.app.words.language import later, say
-from sandbox.editing.recovery import Recoverable, recoverable
+from sandbox.editing.draft_recovery import Recoverable, recoverable
 
 Unsaved = Recoverable | LeftRun
 

@@ -8,8 +8,8 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.files.challenge_stars import Progress
 from sandbox.app.files.level_entries import Entry
-from sandbox.app.files.progress import Progress
 from sandbox.app.home.card_grid import HEADING, MARGIN, Grid, lay_out, sections
 from sandbox.app.home.chapter_bar import ChapterBar
 from sandbox.app.home.draft_strip import Strip, Unsaved

@@ -7,8 +7,8 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from sandbox.app.observing.milestones import Milestone, milestones
-from sandbox.model.arithmetic import ExpressionError
+from sandbox.app.observing.measured_events import Milestone, milestones
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import Check
 from sandbox.physics.measuring.grading import Result, grade

@@ -9,12 +9,12 @@ import pygame
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.files.preferences import WindowPreferences
-from sandbox.app.frame_time import Load
-from sandbox.app.keys import Binding
+from sandbox.app.frame_budget import Load
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.widgets.sheet import Panel, Sheet, below
+from sandbox.app.widgets.scrolling_area import Panel, Sheet, below
 from sandbox.app.widgets.text_field import Field
+from sandbox.app.window_keys import Binding
 from sandbox.model.level import Level
 
 Row = tuple[Color | None, str]

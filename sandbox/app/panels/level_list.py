@@ -15,8 +15,8 @@ from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.files.challenge_stars import Progress
 from sandbox.app.files.level_entries import Entry, entry
-from sandbox.app.files.progress import Progress
 from sandbox.app.keymap import tip
 from sandbox.app.widgets.text_field import LONGEST, Field
 from sandbox.app.widgets.widget_helpers import Row, press, scroll, scrolled

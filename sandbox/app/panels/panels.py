@@ -13,13 +13,13 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_entries import Entry
 from sandbox.app.files.preferences import WindowPreferences
-from sandbox.app.frame_time import Load
+from sandbox.app.frame_budget import Load
 from sandbox.app.home.home import Home
 from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import stage_messages
-from sandbox.app.panels.focus import Focus
 from sandbox.app.panels.home_bar import HomeBar
+from sandbox.app.panels.keyboard_focus import Focus
 from sandbox.app.panels.level_list import LevelList
 from sandbox.app.panels.play_bar import Controls
 from sandbox.app.panels.refused_level import Refusal

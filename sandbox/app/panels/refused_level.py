@@ -9,7 +9,7 @@ from sandbox.app.cards import mistakes
 from sandbox.app.cards.card import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.widgets.widget_helpers import scroll, scrolled
 from sandbox.app.words.language import plural, say
 from sandbox.model.errors import LevelError, SandboxError

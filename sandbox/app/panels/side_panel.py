@@ -10,7 +10,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.preferences import WindowPreferences
-from sandbox.app.frame_time import Load
+from sandbox.app.frame_budget import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Asking, CommandPage, Desk, ZoomablePage
 from sandbox.app.pages.workers import Workers
@@ -18,7 +18,7 @@ from sandbox.app.panels.tabs import GAP, TOP, Tabs
 from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Foot, View
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Parameters
-from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
+from sandbox.app.widgets.scrolling_area import MARGIN, Panel, Sheet
 from sandbox.app.widgets.widget_helpers import scroll, scrolled
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say

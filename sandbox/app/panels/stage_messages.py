@@ -12,7 +12,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.keymap import BINDINGS
-from sandbox.app.keys import MOUSE
+from sandbox.app.window_keys import MOUSE
 from sandbox.app.words.language import say, say_in
 
 PADDING = 12  # px

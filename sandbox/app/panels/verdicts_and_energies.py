@@ -14,7 +14,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.keymap import tip
 from sandbox.app.observing import energy_graph
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.sheet import MARGIN, Sheet
+from sandbox.app.widgets.scrolling_area import MARGIN, Sheet
 from sandbox.app.words.language import later, plural, say
 from sandbox.physics.measuring.grading import Verdict
 

@@ -14,10 +14,10 @@ from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.step_timer import Clock
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
-from sandbox.model.effect_variants import Variation
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
+from sandbox.model.levels_with_changed_effects import Variation
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.run import build
 from sandbox.physics.stepping.time_limit import TimeLimit

@@ -4,12 +4,12 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
-from sandbox.app.observing import milestones
+from sandbox.app.observing import measured_events
 from sandbox.app.observing.earlier_runs import Earlier, RunObservations, kept
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.impacts import ImpactLog, ImpactMarks
-from sandbox.app.observing.milestones import Milestone
+from sandbox.app.observing.measured_events import Milestone
 from sandbox.app.observing.running_checks import Ration, Reading, RunGrader
 from sandbox.app.observing.state_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
@@ -72,7 +72,7 @@ class LiveRun:
         self.ahead: RunObservations | None = None
         """The observations of the run before it was rewound; None if it was not."""
         self._fork: World | None = None  # the world before the last branch
-        graded = *needed(original), *needed(world.level), *milestones.needed(world.level)
+        graded = *needed(original), *needed(world.level), *measured_events.needed(world.level)
         self._quantities = tuple(dict.fromkeys(graded))
         self.limits = Limits()
         self._patience = TimeLimit()

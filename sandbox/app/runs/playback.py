@@ -12,13 +12,13 @@ from time import perf_counter
 
 from sandbox.app.observing.earlier_runs import RunObservations
 from sandbox.app.observing.impacts import Flash
-from sandbox.app.observing.milestones import Milestone
+from sandbox.app.observing.measured_events import Milestone
 from sandbox.app.observing.running_checks import Reading
 from sandbox.app.runs.grabbed_body import Grip
-from sandbox.app.runs.left_runs import Records
+from sandbox.app.runs.left_run_records import Records
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.play_speed import faster, slower
-from sandbox.app.runs.run_view import RunView
+from sandbox.app.runs.read_only_run import RunView
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY

@@ -18,7 +18,7 @@ from sandbox.model.file_writing import read_ordinary, write_atomically
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, parse
-from sandbox.model.rules.conditions.scene import MAX_STEPS
+from sandbox.model.rules.conditions.numbers_and_shapes import MAX_STEPS
 from sandbox.model.translatable_message import Message
 from sandbox.physics.state.snapshot import Snapshot
 

@@ -9,7 +9,7 @@ from pydantic import Field
 from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.loading import choose, parse
-from sandbox.model.rules.conditions.scene import MAX_STEPS
+from sandbox.model.rules.conditions.numbers_and_shapes import MAX_STEPS
 from sandbox.model.translatable_message import Message
 from sandbox.physics.stepping.run_continuation import alter, branch
 from sandbox.physics.stepping.world import World

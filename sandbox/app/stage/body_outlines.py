@@ -14,8 +14,8 @@ from sandbox.model.body import Body
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY, Arc, Curve, Disc, Hoop, Polyline, Segment
-from sandbox.physics.engine.bodies import local_points
-from sandbox.physics.geometry.signed_distance import depth
+from sandbox.physics.engine.pymunk_bodies import local_points
+from sandbox.physics.geometry.depth_in_polygon import depth
 
 CORNERS_OF_A_CIRCLE = 48
 

@@ -11,12 +11,12 @@ from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.milestones import Milestone
+from sandbox.app.observing.measured_events import Milestone
 from sandbox.app.stage.body_outlines import Outline
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.formatting import name_in_words, nice, number
 from sandbox.app.words.level_translation import Say
-from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.functions import Formula
 from sandbox.model.shapes import XY

@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing.milestones import Milestone
+from sandbox.app.observing.measured_events import Milestone
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companions import Companion
 from sandbox.app.stage import (
@@ -21,17 +21,17 @@ from sandbox.app.stage import (
     level_labels,
     liquid,
     motion_marks,
-    surfaces,
+    static_bodies,
     wires,
 )
 from sandbox.app.stage.body_outlines import Outline
-from sandbox.app.stage.given_forces import Arrow
+from sandbox.app.stage.drawing_data import View
+from sandbox.app.stage.given_force_arrows import Arrow
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.observer import Observer
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
-from sandbox.app.stage.view import View
 from sandbox.app.words import level_translation
 from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate
@@ -227,7 +227,7 @@ class Stage:
 
     def _draw_surface(self, surface: pygame.Surface, outline: Outline, middle: XY) -> None:
         inside = self._nearest(outline) if outline.curved else middle
-        surfaces.draw_surface(surface, self.camera, outline, *self.view.state(outline), inside)
+        static_bodies.draw_surface(surface, self.camera, outline, *self.view.state(outline), inside)
 
     def _middle(self) -> XY:
         """Return the mean start position of the moving bodies [m], else the camera's centre."""

@@ -9,7 +9,7 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY
-from sandbox.model.wires import along
+from sandbox.model.wire_points import along
 from sandbox.physics.stepping.world import World
 
 POINTS = 1000

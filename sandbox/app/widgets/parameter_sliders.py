@@ -9,12 +9,12 @@ from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContaine
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.widgets.slider_steps import rounded, step
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import formatting
 from sandbox.app.words.level_translation import Say
-from sandbox.app.words.slider_steps import rounded, step
 from sandbox.app.words.typed_numbers import read
-from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter
 from sandbox.model.translatable_message import NOTHING, Message

@@ -7,7 +7,6 @@ from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 from sandbox.app.words import language, level_translation
 from sandbox.app.words.language import later, plural, say
 from sandbox.app.words.level_translation import Say
-from sandbox.model.effect_variants import Variation, shown
 from sandbox.model.level import (
     ApexEvent,
     Check,
@@ -17,8 +16,9 @@ from sandbox.model.level import (
     SeparationEvent,
     Stepping,
 )
+from sandbox.model.levels_with_changed_effects import Variation, shown
 from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.accuracy.candidates import Offer
+from sandbox.physics.accuracy.candidate_settings import Offer
 from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS, Trust, surviving
 from sandbox.physics.measuring.goals import Outcome
 from sandbox.physics.measuring.run_comparison import Difference

@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 from math import pi
 
-from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.translatable_message import Message, either
 

@@ -60,7 +60,7 @@ def check(
 
     jobs = min(os.cpu_count() or 1, len(levels) // SHARE) or 1
     if jobs > 1:
-        prepare("sandbox.cli.check", "sandbox.physics.advising.preflight")
+        prepare("sandbox.cli.check", "sandbox.physics.advising.preflight_faults")
     from sandbox.cli.check import check, keep_checking
 
     if watch:

@@ -10,10 +10,10 @@ from math import pi
 
 import numpy as np
 
-from sandbox.editing.cleanup import COEFFICIENTS, first_that_loads, without_meaning
+from sandbox.editing.cleanup_after_edit import COEFFICIENTS, first_that_loads, without_meaning
 from sandbox.editing.drawn_outlines import centroid, simplified
+from sandbox.editing.edits.automatic_title import without_empty_summary
 from sandbox.editing.edits.edit_result import EditResult, new_name
-from sandbox.editing.edits.titling import without_empty_summary
 from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.text_patches import put, put_all, remove
 from sandbox.model.errors import SandboxError

@@ -9,13 +9,13 @@ from typing import Any, cast
 from pydantic import ValidationError
 
 from sandbox.editing.attached_bodies import shifted_point
-from sandbox.editing.cleanup import without_meaning
+from sandbox.editing.cleanup_after_edit import without_meaning
 from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.renaming import rename_numbers
 from sandbox.editing.text_patches import Changes, put_all
-from sandbox.model.arithmetic import RESERVED
 from sandbox.model.comments import read_level
 from sandbox.model.errors import SandboxError
+from sandbox.model.expression_compiler import RESERVED
 from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in

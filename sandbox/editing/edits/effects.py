@@ -5,13 +5,13 @@ from contextlib import suppress
 from functools import partial
 from typing import Any, get_args, get_origin
 
-from sandbox.editing.cleanup import COEFFICIENTS, accepted, without_meaning
+from sandbox.editing.cleanup_after_edit import COEFFICIENTS, accepted, without_meaning
 from sandbox.editing.text_patches import Changes, put, put_all, remove
 from sandbox.model.did_you_mean import suggestion
-from sandbox.model.effect_variants import DEFAULTS, including, without
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
+from sandbox.model.levels_with_changed_effects import DEFAULTS, including, without
 from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.run import build
 

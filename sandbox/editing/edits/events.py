@@ -1,6 +1,6 @@
 """Adding events, which change the scene during a run."""
 
-from sandbox.editing.cleanup import accepted
+from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits.edit_result import new_name
 from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.text_patches import put

@@ -8,10 +8,10 @@ from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from typing import NamedTuple
 
-from sandbox.editing.cleanup import accepted
+from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placement import PlacedBody, distance, placed, xy
+from sandbox.editing.placed_bodies import PlacedBody, distance, placed, xy
 from sandbox.editing.text_patches import put
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError

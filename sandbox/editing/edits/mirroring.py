@@ -4,9 +4,9 @@ from collections.abc import Collection
 from typing import Literal
 
 from sandbox.editing.attached_bodies import attached
-from sandbox.editing.formulas import negative, shifted
+from sandbox.editing.formula_edits import negative, shifted
 from sandbox.editing.json_layout import Json
-from sandbox.editing.placement import around, chosen
+from sandbox.editing.placed_bodies import around, chosen
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.body import Body
 from sandbox.model.expressions import Expression

@@ -7,11 +7,11 @@ from cmath import phase, rect
 from collections.abc import Mapping
 from math import copysign, degrees, pi
 
-from sandbox.editing.cleanup import accepted
+from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits.field_values import parameter_name
-from sandbox.editing.formulas import rounded, sum_of
+from sandbox.editing.formula_edits import rounded, sum_of
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placement import PlacedBody, distance, placed
+from sandbox.editing.placed_bodies import PlacedBody, distance, placed
 from sandbox.editing.text_patches import put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.joint_ends_at_start import place

@@ -9,7 +9,7 @@ import json
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 
-from sandbox.editing.cleanup import without_meaning
+from sandbox.editing.cleanup_after_edit import without_meaning
 from sandbox.editing.edits.checks import add_checks
 from sandbox.editing.suggested_checks import (
     capstan,
@@ -23,7 +23,7 @@ from sandbox.editing.suggested_checks import (
     pulleys,
     spring_pendulum,
 )
-from sandbox.editing.suggested_checks.recognised_setup import Scene, Suggestion
+from sandbox.editing.suggested_checks.recogniser_input import Scene, Suggestion
 from sandbox.editing.text_patches import Changes, put, remove
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level

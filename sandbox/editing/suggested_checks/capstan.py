@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from sandbox.editing.json_layout import plain
 from sandbox.editing.suggested_checks.incline import friction
-from sandbox.editing.suggested_checks.recognised_setup import (
+from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,
     TOUCHING,
     Scene,

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from sandbox.editing.suggested_checks.collision import restitution
 from sandbox.editing.suggested_checks.pendulum import SMALLEST, bob_of, swings_free
-from sandbox.editing.suggested_checks.recognised_setup import (
+from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,
     TOUCHING,
     Scene,

@@ -6,10 +6,10 @@ from math import cos, sin
 
 import numpy as np
 
-from sandbox.editing.formulas import negative
+from sandbox.editing.formula_edits import negative
 from sandbox.editing.json_layout import plain
-from sandbox.editing.placement import Core, PlacedBody
-from sandbox.editing.suggested_checks.recognised_setup import (
+from sandbox.editing.placed_bodies import Core, PlacedBody
+from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,
     SAMPLES,
     TOUCHING,

@@ -9,9 +9,9 @@ from math import sqrt
 from typing import NamedTuple
 
 from sandbox.editing.json_layout import plain
-from sandbox.editing.placement import PlacedBody
+from sandbox.editing.placed_bodies import PlacedBody
 from sandbox.editing.suggested_checks.incline import friction, side
-from sandbox.editing.suggested_checks.recognised_setup import (
+from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,
     Scene,
     Suggestion,

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from sandbox.editing.suggested_checks.recognised_setup import (
+from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,
     Scene,
     Suggestion,

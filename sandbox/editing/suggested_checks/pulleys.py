@@ -10,7 +10,7 @@ from math import sqrt
 from typing import Any, NamedTuple
 
 from sandbox.editing.json_layout import plain
-from sandbox.editing.suggested_checks.recognised_setup import (
+from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,
     Scene,
     Setup,

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import pi, sqrt
 
 from sandbox.editing.suggested_checks.oscillator import held_by
-from sandbox.editing.suggested_checks.recognised_setup import (
+from sandbox.editing.suggested_checks.recogniser_input import (
     Scene,
     Suggestion,
     check,

@@ -1,8 +1,8 @@
 """The contract of a kind of joint: its declaration (see `docs/how-to/add-a-joint.md`).
 
 A joint is a frozen model beside the others in `sandbox/model/joints/__init__.py`, a member of the
-union `Joint` there, with a `kind` as below; `sandbox/physics/joints/joint_equations.py` makes it.
-The following derive from it: the JSON Schema, the messages about unknown types and bodies, the
+union `Joint` there, with a `kind` as below; `sandbox/physics/joints/make_joint_equations.py` makes
+it. The following derive from it: the JSON Schema, the messages about unknown types and bodies, the
 quantities of the joint, the accounts of the ledger, the schemes that a level may use, and the tests
 of all joints.
 

@@ -11,8 +11,8 @@ from itertools import chain, islice, product
 
 import numpy as np
 
-from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.errors import MAX_MISTAKES, brief
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.functions import Formula
 from sandbox.model.json_positions import Path

@@ -7,7 +7,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level_parts import Fault
 from sandbox.model.shorthand.expansion_notes import MOST, Moves, Notes, TooLongError, followed
 from sandbox.model.shorthand.groups import COPY, placed
-from sandbox.model.shorthand.repeating import GROUPS, REPEAT, repeated
+from sandbox.model.shorthand.repeated_members import GROUPS, REPEAT, repeated
 from sandbox.model.translatable_message import Message
 
 _UNKNOWN = re.compile(r"unknown parameter '(\w+)'")

@@ -23,7 +23,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.number_bounds import Angle, Coordinate
 from sandbox.model.shapes import Point
 from sandbox.model.shorthand.expansion_notes import Notes, followed
-from sandbox.model.shorthand.repeating import GROUPS
+from sandbox.model.shorthand.repeated_members import GROUPS
 from sandbox.model.translatable_message import Message
 
 INTO_EACH = 10

@@ -4,9 +4,9 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sandbox.model.arithmetic import RESERVED, ExpressionError
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.expression_compiler import RESERVED, ExpressionError
 from sandbox.model.expressions import Expression
 from sandbox.model.json_positions import Path
 from sandbox.model.shorthand.expansion_notes import Notes

@@ -10,7 +10,7 @@ from sandbox.model.body import Body
 from sandbox.model.level import Level
 from sandbox.model.shorthand.groups import Copy, Group
 from sandbox.model.shorthand.indices import MOST_TIMES
-from sandbox.model.shorthand.repeating import GROUPS, REPEAT, order
+from sandbox.model.shorthand.repeated_members import GROUPS, REPEAT, order
 
 Part = dict[str, Any]
 

@@ -20,21 +20,21 @@ from sandbox.model.quantities import momentary
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Watched, by_check, never, record, scaled, watched
-from sandbox.physics.accuracy.refinement import (
+from sandbox.physics.accuracy.refinement_search import Refiner, refine
+from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.setting_search import own_run
+from sandbox.physics.accuracy.step_refinement import (
     Refinement,
     foot,
     held_against,
     judged,
     step_durations,
 )
-from sandbox.physics.accuracy.refinement_search import Refiner, refine
-from sandbox.physics.accuracy.richardson import extrapolated
-from sandbox.physics.accuracy.setting_search import own_run
 from sandbox.physics.accuracy.trusted_digits import Trust, trusts
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
-from sandbox.physics.scene.schemes import usable
+from sandbox.physics.scene.usable_schemes import usable
 from sandbox.physics.stepping.make_world import make_world
 
 REFINING = 2.0

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from sandbox.model.expressions import Values
 from sandbox.model.level import FINEST, Level
 from sandbox.model.translatable_message import Message, both
-from sandbox.physics.accuracy.candidates import REAL_TIME, Offer
-from sandbox.physics.accuracy.chaos import chaotic, foretold
+from sandbox.physics.accuracy.candidate_settings import REAL_TIME, Offer
+from sandbox.physics.accuracy.chaos_detection import chaotic, foretold
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, watched
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.refinement_search import Progress

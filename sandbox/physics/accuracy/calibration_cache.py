@@ -26,7 +26,7 @@ from sandbox.model.loading import digest
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Stop, never
 from sandbox.physics.accuracy.refinement_search import Progress
-from sandbox.physics.scene.schemes import require
+from sandbox.physics.scene.usable_schemes import require
 from sandbox.physics.state.errors import SchemeError
 
 _SETTING = TypeAdapter(Setting)

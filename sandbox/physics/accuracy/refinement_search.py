@@ -13,10 +13,10 @@ from time import thread_time
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
 from sandbox.model.translatable_message import Message
-from sandbox.physics.accuracy.chaos import foretold
+from sandbox.physics.accuracy.chaos_detection import foretold
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
-from sandbox.physics.accuracy.refinement import SLOWEST, Refinement, held_against, judged
-from sandbox.physics.accuracy.step_cost import LOOK, counted_cost
+from sandbox.physics.accuracy.counted_step_cost import LOOK, counted_cost
+from sandbox.physics.accuracy.step_refinement import SLOWEST, Refinement, held_against, judged
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 

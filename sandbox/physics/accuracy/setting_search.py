@@ -15,9 +15,9 @@ from typing import Literal
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
-from sandbox.model.schemes import unsmooth
+from sandbox.model.scheme_requirements import unsmooth
 from sandbox.model.solver_choice import is_direct, may_be_direct
-from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
+from sandbox.physics.accuracy.candidate_settings import Candidate, Offer, Offers
 from sandbox.physics.accuracy.compared_runs import (
     Stop,
     Watched,
@@ -29,7 +29,6 @@ from sandbox.physics.accuracy.compared_runs import (
 )
 from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocities
 from sandbox.physics.accuracy.exceptions import AccuracyError
-from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, in_step, step_durations
 from sandbox.physics.accuracy.refinement_search import (
     FEWEST,
     Progress,
@@ -38,7 +37,8 @@ from sandbox.physics.accuracy.refinement_search import (
     cost,
     refine,
 )
-from sandbox.physics.guarding.step_rate_bounds import needed
+from sandbox.physics.accuracy.step_refinement import NEARLY, foot, furthest, in_step, step_durations
+from sandbox.physics.guarding.least_step_rate import needed
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world

@@ -18,7 +18,7 @@ from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.solver_choice import is_direct
 from sandbox.model.translatable_message import NOTHING, Message, both, joined
-from sandbox.physics.guarding.step_rate_bounds import needed
+from sandbox.physics.guarding.least_step_rate import needed
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN

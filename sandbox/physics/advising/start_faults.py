@@ -7,7 +7,7 @@ import numpy as np
 
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.translatable_message import Message
-from sandbox.physics.contacts.detection.overlaps import overlaps, tolerated
+from sandbox.physics.contacts.detection.overlaps_at_start import overlaps, tolerated
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.errors import JointFailure, SimulationError
 

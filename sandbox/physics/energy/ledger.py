@@ -23,12 +23,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.kicks.kick_parts import Stage
+from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
 from sandbox.physics.contacts.impacts.contact_work import KickRecord
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.energy_and_momentum import MechanicalEnergy, velocity_of
 from sandbox.physics.energy.impulse_attribution import Attribution
-from sandbox.physics.energy.inner_kicks import kicks_within
+from sandbox.physics.energy.kicks_within_drifts import kicks_within
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.space_arrays import Contacts

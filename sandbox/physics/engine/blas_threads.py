@@ -12,7 +12,7 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from sandbox.physics.state.kick import Kick, Work
+from sandbox.physics.state.kick_context import Kick, Work
 
 if TYPE_CHECKING:
     from threadpoolctl import ThreadpoolController

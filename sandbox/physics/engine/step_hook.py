@@ -15,7 +15,7 @@ import pymunk
 
 from sandbox.physics.engine.blas_threads import in_one_thread
 from sandbox.physics.engine.private_handles import call_before_kick
-from sandbox.physics.state.kick import Kick, Work
+from sandbox.physics.state.kick_context import Kick, Work
 
 
 class Hook:

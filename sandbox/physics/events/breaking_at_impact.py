@@ -28,7 +28,7 @@ from sandbox.physics.events.joint_impacts import Jolt
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.joint_changes import let_go
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.state.kick import Kick, Work
+from sandbox.physics.state.kick_context import Kick, Work
 
 SUDDEN = 0.5
 """The least growth of a joint's force within a step, as a share of what the joint bears, that

@@ -17,8 +17,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kicks.coupled_impacts import impulses
+from sandbox.physics.contacts.direct.rows.contact_outlines import Figures
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.rows.outlines import Figures
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces, lay_out
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.joints.exact.shake import ExactJoints

@@ -24,13 +24,13 @@ from sandbox.physics.contacts.detection.time_of_impact import Hit, Path, meet, t
 from sandbox.physics.contacts.impacts.endless_impacts_error import EndlessImpacts
 from sandbox.physics.contacts.impacts.impact_step_velocity import impacts
 from sandbox.physics.contacts.impacts.pile_impacts import PRESSED
-from sandbox.physics.contacts.shapes.collision_filter import meets
+from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.events.impact_order import ImpactOrder, Tally
 from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
 from sandbox.physics.geometry.outline_distance import Outline, outlines
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.state.cancellation import cancellation_point
+from sandbox.physics.state.cancellation_points import cancellation_point
 from sandbox.physics.state.motion import momentum
 
 SHUT_IN = Message("{body} is wedged in, since what presses on it does not yield; give it more room")

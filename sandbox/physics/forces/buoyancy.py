@@ -17,7 +17,7 @@ from sandbox.model.effects import buoyancy as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import Area, Disc
-from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.engine.pymunk_bodies import local_points
 from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.state.motion import Motion
 

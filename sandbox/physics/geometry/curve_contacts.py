@@ -14,7 +14,7 @@ import numpy as np
 from sandbox.model.expressions import Values
 from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Curve
-from sandbox.model.wires import along
+from sandbox.model.wire_points import along
 from sandbox.physics.geometry import arc_contacts
 from sandbox.physics.geometry.arc_contacts import THIN, Arc, Piece, Placed, Touch, Verdict, put
 from sandbox.physics.geometry.outline_distance import dot, mean

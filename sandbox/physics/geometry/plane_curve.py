@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.model.wires import Points
+from sandbox.model.wire_points import Points
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.geometry.quintic_curve import Quintics
 

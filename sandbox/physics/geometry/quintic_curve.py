@@ -8,7 +8,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Wire
-from sandbox.model.wires import PIECES, Points, along, graded, is_closed
+from sandbox.model.wire_points import PIECES, Points, along, graded, is_closed
 from sandbox.physics.engine.space_arrays import Integers
 
 _FIT = np.linalg.inv(np.vander(np.arange(-2.0, 4.0), increasing=True))

@@ -7,7 +7,7 @@ import numpy as np
 from sandbox.model.body import Body
 from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
-from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.engine.pymunk_bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import twice_area
 
 

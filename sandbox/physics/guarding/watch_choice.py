@@ -53,7 +53,7 @@ def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array)
 
 
 def _watchdog(run: "Recorded", now: Snapshot, contacts: Contacts) -> Watch:
-    from sandbox.physics.guarding.energy_audit import Audit
+    from sandbox.physics.guarding.driven_energy_audit import Audit
     from sandbox.physics.guarding.watchdog import Watchdog
 
     built = run.level, run.values, run.stepping, run.scene

@@ -19,8 +19,8 @@ from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.contacts.detection.pair_limit import crowded, most_pairs
 from sandbox.physics.engine.space_arrays import Contacts, Integers
 from sandbox.physics.guarding.body_thickness import thickness
-from sandbox.physics.guarding.energy_audit import Audit
-from sandbox.physics.guarding.energy_gain import Gains
+from sandbox.physics.guarding.driven_energy_audit import Audit
+from sandbox.physics.guarding.least_step_rate import RateBound, called, slowing, steepness
 from sandbox.physics.guarding.lost_bodies import (
     gives_some,
     is_sound,
@@ -28,7 +28,7 @@ from sandbox.physics.guarding.lost_bodies import (
     refuse_lost,
     stop,
 )
-from sandbox.physics.guarding.step_rate_bounds import RateBound, called, slowing, steepness
+from sandbox.physics.guarding.passive_energy_audit import Gains
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import MARGIN, limit
 from sandbox.physics.state.errors import SimulationError

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from sandbox.physics.joints.joints import Joints
-from sandbox.physics.state.kick import Kick
+from sandbox.physics.state.kick_context import Kick
 
 
 def let_go(joints: Joints, name: str, t: float) -> None:

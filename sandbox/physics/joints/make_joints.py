@@ -43,9 +43,14 @@ from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.exact.equation_limit import refuse_too_many
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.joints.joint_equations import JointEquations, Solved, counted_from, not_made
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.latches import Latches
+from sandbox.physics.joints.make_joint_equations import (
+    JointEquations,
+    Solved,
+    counted_from,
+    not_made,
+)
 from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.joints.pymunk_joints import OwnJoint
 from sandbox.physics.joints.welded_bodies import Solids, Touches

@@ -6,8 +6,8 @@ from typing import Literal
 
 import numpy as np
 
-from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.challenge import Goal
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression, Values
 from sandbox.physics.measuring.grading import samples
 from sandbox.physics.measuring.recording import Trace

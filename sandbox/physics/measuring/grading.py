@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import Check, ContactEvent, Instant, SeparationEvent
 from sandbox.model.measuring_instants import Passage, crossed

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-    from sandbox.physics.guarding.step_rate_bounds import RateBound
+    from sandbox.physics.guarding.least_step_rate import RateBound
 
 Met = TypeVar("Met")
 
@@ -294,7 +294,7 @@ class Recorder:
         world, contact = self._world, self._world.level.effects.contact
         if not (contact and _steps_see_impacts(world)):
             return ()
-        from sandbox.physics.guarding.step_rate_bounds import fast
+        from sandbox.physics.guarding.least_step_rate import fast
 
         found = fast(world.scene, self._speeds, contact.located or ())
         return tuple(sorted(need for need in found if need.rate > world.stepping.rate))[::-1]

@@ -7,8 +7,8 @@ import numpy as np
 from sandbox.model.body import Body
 from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import Disc
-from sandbox.physics.engine.bodies import local_points
-from sandbox.physics.geometry.signed_distance import depth
+from sandbox.physics.engine.pymunk_bodies import local_points
+from sandbox.physics.geometry.depth_in_polygon import depth
 from sandbox.physics.state.anchor import Plane
 from sandbox.physics.state.snapshot import Snapshot
 

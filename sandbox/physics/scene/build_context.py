@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from sandbox.physics.contacts.coefficients.static_friction import Sticking
     from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
-    from sandbox.physics.contacts.shapes.one_way import Gates
+    from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
 
 
 class Pairs(NamedTuple):

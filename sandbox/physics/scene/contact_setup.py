@@ -19,7 +19,7 @@ from sandbox.physics.contacts.detection.pair_limit import (
     most_pairs,
     refuse_crowd,
 )
-from sandbox.physics.contacts.shapes.corner_gaps import reach_out
+from sandbox.physics.contacts.shapes.corner_gap_closing import reach_out
 from sandbox.physics.contacts.shapes.hollow_shapes import HollowShape, make_hollow
 from sandbox.physics.contacts.shapes.pymunk_shapes import (
     DIRECT_SKIN,
@@ -37,7 +37,7 @@ from sandbox.physics.scene.build_context import BuildContext, Pairs
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import DirectSolver
     from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
-    from sandbox.physics.contacts.shapes.one_way import Gates
+    from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
 
 
 def make_contacts(
@@ -91,7 +91,7 @@ def _make_shapes(
         for kind, (name, spec) in enumerate(level.bodies.items(), start=1)
     }
     if pairs_apart := sorted(apart(level)):
-        from sandbox.physics.contacts.shapes.collision_filter import keep_apart
+        from sandbox.physics.contacts.shapes.pair_exclusion import keep_apart
 
         keep_apart(space, bodies, pairs_apart)
     refuse_crowd(shapes, most)
@@ -108,7 +108,7 @@ def _make_gates(
     """Make the gates of surfaces that let bodies through one way, if there are any."""
     if not any(body.one_way for body in level.bodies.values()):
         return None
-    from sandbox.physics.contacts.shapes.one_way import Gates
+    from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
 
     return Gates(level, values, bodies, skin)
 

@@ -14,7 +14,7 @@ import pymunk
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.solver_choice import is_direct, may_catch
-from sandbox.physics.engine.bodies import make_body
+from sandbox.physics.engine.pymunk_bodies import make_body
 from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.forces.declared_laws import gravity, laws, mass_share
 from sandbox.physics.forces.gravity import Gravity
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import DirectSolver
     from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
     from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
-    from sandbox.physics.contacts.shapes.one_way import Gates
+    from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
     from sandbox.physics.forces.force_switch import Switches
 
 
@@ -197,7 +197,7 @@ def _make_joints(
     touches, direct = touches_of(space, level), is_direct(level, stepping)
     joints = assemble(level, values, bodies, batch, inverse_mass, touches, direct=direct)
     if contact and not contact.overlaps:
-        from sandbox.physics.contacts.detection.overlaps import refuse_overlaps
+        from sandbox.physics.contacts.detection.overlaps_at_start import refuse_overlaps
 
         refuse_overlaps(space, bodies, contact, values, pairs.hollows, pairs.gates)
     return joints
@@ -207,7 +207,7 @@ def _make_switches(level: Level, joints: Joints) -> "Switches":
     """Make the switches of forces, if the level has events."""
     if not level.happens:
         return {}
-    from sandbox.physics.scene.switches import make_switches
+    from sandbox.physics.scene.force_switches import make_switches
 
     return make_switches(level, joints)
 

@@ -1,6 +1,7 @@
 """Kicks of bodies that are held in place: the first kick of a run, and kicks at events.
 
-If there are contacts, each is repeated until contacts and strings have converged (`settling.py`).
+If there are contacts, each is repeated until contacts and strings have converged
+(`kick_iteration.py`).
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -12,10 +13,10 @@ import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.state.kick import Kick
+from sandbox.physics.state.kick_context import Kick
 
 if TYPE_CHECKING:
-    from sandbox.physics.stepping.settling import Settling
+    from sandbox.physics.stepping.kick_iteration import Settling
 
 
 class HeldKicks:
@@ -87,7 +88,7 @@ class HeldKicks:
 
 
 def _settling(scene: Scene, *, placed: bool) -> "Settling":
-    from sandbox.physics.stepping.settling import Settling
+    from sandbox.physics.stepping.kick_iteration import Settling
 
     return Settling(scene, placed=placed)
 

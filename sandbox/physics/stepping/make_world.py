@@ -20,7 +20,7 @@ def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = 
         raise ValueError("an accuracy is asked for, and no rate is chosen")
     try:
         if stepping.is_composed:
-            from sandbox.physics.scene.schemes import require
+            from sandbox.physics.scene.usable_schemes import require
 
             require(level, stepping.scheme)
         with np.errstate(all="ignore"):  # non-finite values are reported by name

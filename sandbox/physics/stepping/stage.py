@@ -26,9 +26,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.state.kick import Work
+from sandbox.physics.state.kick_context import Work
 from sandbox.physics.stepping.applied_forces import Forces
-from sandbox.physics.stepping.kicks import Kicks
+from sandbox.physics.stepping.drifts_and_kicks import Kicks
 
 if TYPE_CHECKING:
     from sandbox.physics.energy.step_record import StepRecord

@@ -9,7 +9,7 @@ from contextlib import AbstractContextManager
 from time import perf_counter, thread_time
 
 from sandbox.model.translatable_message import Message
-from sandbox.physics.state.cancellation import cancellable
+from sandbox.physics.state.cancellation_points import cancellable
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World

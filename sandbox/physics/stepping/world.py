@@ -1,7 +1,7 @@
 """The world: a running level, step by step.
 
-A step is a drift and a kick (`kicks.py`). Parts that only some levels need are stages: for their
-contract see `stage.py`, for a list `stages/register.py`.
+A step is a drift and a kick (`drifts_and_kicks.py`). Parts that only some levels need are stages:
+for their contract see `stage.py`, for a list `stages/register.py`.
 """
 
 from collections.abc import Mapping
@@ -16,9 +16,9 @@ from sandbox.physics.guarding.watch_choice import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.initial_state import start
-from sandbox.physics.stepping.observer import Observer
 from sandbox.physics.stepping.stage import Begin, Stages, set_up
 from sandbox.physics.stepping.stages.register import declared
+from sandbox.physics.stepping.state_at_step import Observer
 
 if TYPE_CHECKING:
     from sandbox.physics.energy.step_record import StepRecord

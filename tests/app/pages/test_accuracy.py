@@ -8,10 +8,10 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.frame_time import FRAME, Load
-from sandbox.app.pages.accuracy import diagram
+from sandbox.app.frame_budget import FRAME, Load
+from sandbox.app.pages.accuracy import work_precision_diagram
+from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.accuracy.panel import AccuracyPage
-from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.physics.accuracy import accuracy_study, calibration_cache
@@ -61,7 +61,7 @@ def test_it_is_measured_without_being_asked_and_drawn(player: Person) -> None:
     side = player.window.surface.subsurface(player.window.panels.layout.side)
     pixels = pygame.surfarray.array3d(side)
     for scheme in ("leapfrog", "symplectic-euler"):
-        assert (pixels == diagram.colors()[scheme]).all(axis=2).sum() > 60
+        assert (pixels == work_precision_diagram.colors()[scheme]).all(axis=2).sum() > 60
     assert set(studying.splits(player.session)) == {0, 1}
 
 
@@ -322,14 +322,21 @@ def test_a_diagram_stands_on_whole_powers_of_ten(pen: Pen) -> None:
     ]
     here = CurrentSetting("leapfrog", 240, 1e-5, 8e-3)
 
-    drawn = diagram.draw(pen, (278, 158), points, here)
+    drawn = work_precision_diagram.draw(pen, (278, 158), points, here)
 
-    across = diagram.axis([2.0, 4.0, 8.0], diagram.LEFT, 278 - diagram.RIGHT)
+    across = work_precision_diagram.axis(
+        [2.0, 4.0, 8.0], work_precision_diagram.LEFT, 278 - work_precision_diagram.RIGHT
+    )
     assert (across.low, across.high) == (0, 1)
-    x, y = across.pixel(2.0), diagram.axis([2e-4, 5e-5, 1e-5], 158 - diagram.BELOW, 8).pixel(2e-4)
+    x, y = (
+        across.pixel(2.0),
+        work_precision_diagram.axis(
+            [2e-4, 5e-5, 1e-5], 158 - work_precision_diagram.BELOW, 8
+        ).pixel(2e-4),
+    )
     color = drawn.get_at((round(x), round(y)))[:3]
-    assert color == pytest.approx(diagram.colors()["leapfrog"], abs=3)
-    empty = pygame.surfarray.array3d(diagram.draw(pen, (278, 158), [], None))
+    assert color == pytest.approx(work_precision_diagram.colors()["leapfrog"], abs=3)
+    empty = pygame.surfarray.array3d(work_precision_diagram.draw(pen, (278, 158), [], None))
     assert (empty[:, :60] == theme.STAGE).all()
     assert (empty[:, 60:100] != theme.STAGE).any()  # it says that nothing is measured yet
 

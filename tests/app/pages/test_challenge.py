@@ -5,7 +5,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.files.progress import Progress
+from sandbox.app.files.challenge_stars import Progress
 from sandbox.app.pages.challenge.card import NONE
 from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.panels.level_list import LevelList

@@ -12,9 +12,9 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.panel import EffectsPage
 from sandbox.app.runs.session import Session
-from sandbox.model.effect_variants import EffectError
 from sandbox.model.errors import SandboxError
 from sandbox.model.level_catalog import find
+from sandbox.model.levels_with_changed_effects import EffectError
 from sandbox.model.loading import load, parse
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.snapshot import Snapshot

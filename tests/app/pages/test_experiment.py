@@ -10,15 +10,15 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.pages.experiment.card import nearest, span_of
-from sandbox.app.pages.experiment.panel import ExperimentPage
-from sandbox.app.pages.experiment.parameter_curve import CurveWorker
-from sandbox.app.pages.experiment.sampling import (
+from sandbox.app.pages.experiment.curve_sampling import (
     COUNT,
     Point,
     SamplingRefusal,
     coarse_first,
     sample,
 )
+from sandbox.app.pages.experiment.panel import ExperimentPage
+from sandbox.app.pages.experiment.parameter_curve import CurveWorker
 from sandbox.app.pages.graph.chosen_quantities import offered
 from sandbox.experiments import suggested_measures
 from sandbox.experiments.measures import parse

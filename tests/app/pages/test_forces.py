@@ -11,7 +11,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import forces_on_selection
 from sandbox.app.pages.forces import card, force_diagrams
-from sandbox.app.pages.forces.axes import Axes, components
+from sandbox.app.pages.forces.component_axes import Axes, components
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.label_placement import Labels

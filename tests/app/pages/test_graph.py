@@ -13,7 +13,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
 from sandbox.app.observing.state_history import History
 from sandbox.app.observing.thinned_series import CAPACITY
-from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.graph.card import graphs, measured, span_of
 from sandbox.app.pages.graph.chosen_quantities import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage

@@ -9,7 +9,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.momentum import card
 from sandbox.app.pages.momentum.card import LABEL, MOST, bodies, given, momentum
 from sandbox.app.runs.session import Session
-from sandbox.app.stage import momenta
+from sandbox.app.stage import momentum_scale
 from sandbox.app.stage.level_labels import seen_from
 from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.overlays.momenta import OVERLAY
@@ -89,7 +89,7 @@ def test_a_momentum_that_is_rounding_is_told_as_nothing(
     momentum(pen, 278, session)
 
     total = written.index("total")
-    assert written[total + 2] == f"0 {momenta.UNIT}"
+    assert written[total + 2] == f"0 {momentum_scale.UNIT}"
 
 
 def test_an_impulse_that_is_rounding_is_told_as_nothing(
@@ -128,7 +128,7 @@ def test_what_gives_momentum_alone_is_not_told_twice() -> None:
 @pytest.mark.sweep
 def test_of_a_crowd_the_largest_have_bars_and_the_rest_is_one() -> None:
     session = play(session_of("momentum/billiard-break"))
-    every = momenta.momenta(session.world, session.world.snapshot)
+    every = momentum_scale.momenta(session.world, session.world.snapshot)
 
     found = bodies(session.world)
 
@@ -143,7 +143,7 @@ def test_a_bar_is_as_long_as_its_momentum_and_goes_to_its_side(pen: Pen) -> None
     session = Session(scenes.level())
     for _ in range(30):
         session.step()
-    full = momenta.scale(session, session.world, session.history.snapshots)
+    full = momentum_scale.scale(session, session.world, session.history.snapshots)
 
     columns = pixels(momentum(pen, WIDTH, session), theme.UPWARDS)
 
@@ -159,29 +159,29 @@ def test_where_a_ghost_tells_the_course_the_scale_stays_over_the_run() -> None:
         session.playing = True
         while session.playing:
             session.update(1 / 60, budget=10.0)
-            scales.add(momenta.scale(session, session.world, session.history.snapshots))
+            scales.add(momentum_scale.scale(session, session.world, session.history.snapshots))
         assert len(scales) == 1, name
 
 
 def test_on_a_way_back_the_scale_stays() -> None:
     session = Session(scenes.level(ghosts={}))
-    assert momenta.scale(session, session.world, session.history.snapshots) == 0
+    assert momentum_scale.scale(session, session.world, session.history.snapshots) == 0
     play(session)
-    grown = momenta.scale(session, session.world, session.history.snapshots)
+    grown = momentum_scale.scale(session, session.world, session.history.snapshots)
 
     session.go_to(1)
 
     assert grown == 10
-    assert momenta.scale(session, session.world, session.history.snapshots) == grown
+    assert momentum_scale.scale(session, session.world, session.history.snapshots) == grown
 
 
 def test_a_page_that_is_opened_late_has_seen_the_run() -> None:
     session = session_of("lagrange/double-pendulum")
     for _ in range(200):
         session.step()
-    largest = np.abs(momenta.momenta(session.world, session.history.snapshots)).max()
+    largest = np.abs(momentum_scale.momenta(session.world, session.history.snapshots)).max()
 
-    assert momenta.scale(session, session.world, session.history.snapshots) >= largest
+    assert momentum_scale.scale(session, session.world, session.history.snapshots) >= largest
 
 
 def test_what_does_not_move_has_empty_bars(pen: Pen) -> None:

@@ -13,18 +13,18 @@ from sandbox.app.cards.checks import TOUCHED
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.predict import card, neglected_effects
-from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.panel import PredictPage
-from sandbox.app.pages.predict.predicting import PredictionWorker
+from sandbox.app.pages.predict.prediction_in_progress import PredictionWorker
+from sandbox.app.pages.predict.prediction_outcome import Outcome, judged
 from sandbox.app.pages.predict.questions import questions, when
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
 from sandbox.app.words.typed_numbers import read
-from sandbox.model.arithmetic import ExpressionError
-from sandbox.model.effect_variants import Variation
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression
+from sandbox.model.levels_with_changed_effects import Variation
 from sandbox.physics.run import simulate
 from tests.app import scenes
 from tests.app.person import Person, until

@@ -15,7 +15,7 @@ from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import tabs
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.sheet import Panel, Sheet
+from sandbox.app.widgets.scrolling_area import Panel, Sheet
 from tests.app import scenes
 from tests.app.person import Person
 

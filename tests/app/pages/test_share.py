@@ -11,7 +11,7 @@ import pytest
 from sandbox.app import film
 from sandbox.app.background import Background
 from sandbox.app.files import save_folder
-from sandbox.app.pages.share.filming import Filming
+from sandbox.app.pages.share.background_film import Filming
 from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session

@@ -8,9 +8,9 @@ from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model import level_catalog
-from sandbox.model.effect_variants import without
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Stepping
+from sandbox.model.levels_with_changed_effects import without
 from sandbox.model.loading import load
 from tests.app.scenes import opened
 

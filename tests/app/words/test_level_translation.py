@@ -214,7 +214,9 @@ def test_stars_stay_with_a_challenge_in_whichever_language(
     asked = level_catalog.root() / "challenges" / "stop-dead.json"
     title = json.loads(asked.read_text("utf-8"))["title"]
     person.window.files.read_again(asked)
-    monkeypatch.setattr("sandbox.app.files.progress.Progress.stars", lambda _, told: told == title)
+    monkeypatch.setattr(
+        "sandbox.app.files.challenge_stars.Progress.stars", lambda _, told: told == title
+    )
     speak(person, "de")
     button = person.listed.button(asked)
 

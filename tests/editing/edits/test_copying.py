@@ -8,7 +8,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.copying import copy, duplicate, paste
 from sandbox.editing.edits.mirroring import mirror
 from sandbox.editing.expanded_level import plain
-from sandbox.editing.placement import around, placed
+from sandbox.editing.placed_bodies import around, placed
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of

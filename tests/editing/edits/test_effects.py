@@ -9,8 +9,8 @@ from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.effects import COEFFICIENT, costs, declare, drop
 from sandbox.editing.text_patches import value_at
 from sandbox.model import level_catalog
-from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import SandboxError
+from sandbox.model.levels_with_changed_effects import DEFAULTS
 from sandbox.model.loading import parse, read
 from sandbox.physics.run import simulate
 

@@ -9,7 +9,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.transforms import Side, align, distribute, move, turn
 from sandbox.editing.expanded_level import plain
-from sandbox.editing.placement import placed
+from sandbox.editing.placed_bodies import placed
 from sandbox.editing.text_patches import value_at
 from sandbox.model import level_catalog
 from sandbox.model.level import Level

@@ -17,7 +17,7 @@ from sandbox.physics.accuracy.accuracy_study import (
 )
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.compared_runs import motion, record, scaled
-from sandbox.physics.accuracy.refinement import furthest
+from sandbox.physics.accuracy.step_refinement import furthest
 from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate

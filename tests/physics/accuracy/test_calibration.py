@@ -19,9 +19,14 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
-from sandbox.physics.accuracy import calibration, candidates, refinement_search, setting_search
+from sandbox.physics.accuracy import (
+    calibration,
+    candidate_settings,
+    refinement_search,
+    setting_search,
+)
 from sandbox.physics.accuracy.calibration import calibrate
-from sandbox.physics.accuracy.chaos import chaotic
+from sandbox.physics.accuracy.chaos_detection import chaotic
 from sandbox.physics.accuracy.compared_runs import (
     Stop,
     Watched,
@@ -32,7 +37,7 @@ from sandbox.physics.accuracy.compared_runs import (
     watched,
 )
 from sandbox.physics.accuracy.exceptions import AccuracyError, Cancelled
-from sandbox.physics.accuracy.refinement import Refinement
+from sandbox.physics.accuracy.step_refinement import Refinement
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Trace
@@ -439,7 +444,7 @@ def test_what_cannot_be_reached_says_what_can() -> None:
 def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for module in (calibration, candidates):  # as if the rest went elsewhere
+    for module in (calibration, candidate_settings):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     monkeypatch.setattr(
         setting_search, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)

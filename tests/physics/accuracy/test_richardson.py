@@ -8,8 +8,8 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.event_timing_errors import hidden
-from sandbox.physics.accuracy.refinement import furthest, judged
 from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.step_refinement import furthest, judged
 from sandbox.physics.measuring.recording import Trace
 from tests.physics.scenes import GRAVITY, G, disc, level, orbit
 

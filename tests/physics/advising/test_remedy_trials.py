@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.advising.preflight import refusal
+from sandbox.physics.advising.preflight_faults import refusal
 from sandbox.physics.advising.remedy_trials import advise, findings, leaning, tried
 from sandbox.physics.run import simulate
 from sandbox.physics.state.errors import SimulationError

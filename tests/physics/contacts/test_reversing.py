@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from sandbox.editing.renaming import rename
-from sandbox.model.effect_variants import vary
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
+from sandbox.model.levels_with_changed_effects import vary
 from sandbox.physics.run import build
 from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, disc, fixed, level

@@ -14,9 +14,9 @@ from sandbox.model.joints.contract import Kind, kinds
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 from sandbox.model.reference_fields import NAMES
-from sandbox.model.schemes import unsmooth
-from sandbox.physics.joints.joint_equations import _rows
+from sandbox.model.scheme_requirements import unsmooth
 from sandbox.physics.joints.joint_forces import pulls_of
+from sandbox.physics.joints.make_joint_equations import _rows
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from tests.effects import SCHEMA, Part, resolved

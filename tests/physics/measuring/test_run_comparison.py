@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from sandbox.model import level_catalog
-from sandbox.model.effect_variants import including, without
 from sandbox.model.level import Level, Stepping
+from sandbox.model.levels_with_changed_effects import including, without
 from sandbox.model.loading import load
 from sandbox.physics.measuring.run_comparison import Difference, differences, watched
 from sandbox.physics.measuring.step_timing import Step, step_costs, step_seconds

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.geometry.signed_distance import depth
+from sandbox.physics.geometry.depth_in_polygon import depth
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
 from tests.physics.scenes import GRAVITY, G, disc, floor, level

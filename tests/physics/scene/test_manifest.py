@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.model.effect_variants import without
 from sandbox.model.effects import EFFECTS
 from sandbox.model.level import Level
+from sandbox.model.levels_with_changed_effects import without
 from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World

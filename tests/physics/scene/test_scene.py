@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.level import Stepping
 from sandbox.physics.contacts.shapes.pymunk_shapes import INSET, SKIN
-from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.engine.pymunk_bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
 from sandbox.physics.run import build
 from sandbox.physics.scene.scene import Scene, make_scene

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from validation.stability import report as stability
-from validation.stability.run import Outcome as Hard
+from validation.stability.run_all_cases import Outcome as Hard
 
 GROUPS = {
     "A": "exact, to rounding",

@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from types import ModuleType
 
-from validation.stability.case import Frontier, HardCase
 from validation.stability.families import (
     bounces,
     bullets,
@@ -17,7 +16,8 @@ from validation.stability.families import (
     piles,
     structures,
 )
-from validation.stability.scene import Document
+from validation.stability.hard_case import Frontier, HardCase
+from validation.stability.scene_parts import Document
 
 SEARCHED = (
     cradles,

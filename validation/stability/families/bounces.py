@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from validation.stability.case import HardCase
+from validation.stability.hard_case import HardCase
 from validation.stability.run_measures import Run, energy, measured
-from validation.stability.scene import G
+from validation.stability.scene_parts import G
 
 DROP = 5.0  # m, of the balls in all levels here
 RADIUS = 0.1  # m

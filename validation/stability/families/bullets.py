@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from validation.stability.case import Frontier, HardCase
+from validation.stability.hard_case import Frontier, HardCase
 from validation.stability.run_measures import Run, measured
-from validation.stability.scene import MOMENTUM, Document, block, check, disc, level
+from validation.stability.scene_parts import MOMENTUM, Document, block, check, disc, level
 
 RADIUS = 0.05  # m
 WALL = 0.1  # m

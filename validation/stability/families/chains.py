@@ -7,9 +7,9 @@ import numpy as np
 from scipy.optimize import brentq
 
 from sandbox.model.joint_ends_at_start import span
-from validation.stability.case import Frontier, HardCase
+from validation.stability.hard_case import Frontier, HardCase
 from validation.stability.run_measures import Run, energy, separation
-from validation.stability.scene import (
+from validation.stability.scene_parts import (
     GRAVITY,
     LAGRANGE,
     WATCHED,

@@ -10,11 +10,11 @@ from sandbox.model.level import Level
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from validation.formulas.energy import kepler_period, kepler_place
-from validation.formulas.lagrange import damped_oscillation, pendulum_period
+from validation.formulas.oscillators import damped_oscillation, pendulum_period
 from validation.formulas.runge_kutta import solution
-from validation.stability.case import Frontier, HardCase, make
+from validation.stability.hard_case import Frontier, HardCase, make
 from validation.stability.run_measures import Run, drift, energy, measured
-from validation.stability.scene import GRAVITY, LAGRANGE, Document, G, check, disc, level, rod
+from validation.stability.scene_parts import GRAVITY, LAGRANGE, Document, G, check, disc, level, rod
 
 SECOND = 1.9
 """The least power of the step with which an error of second order must fall."""

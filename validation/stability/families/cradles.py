@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from validation.stability.case import Frontier, HardCase
+from validation.stability.hard_case import Frontier, HardCase
 from validation.stability.run_measures import Run, energy
-from validation.stability.scene import MOMENTUM, Document, check, disc, level
+from validation.stability.scene_parts import MOMENTUM, Document, check, disc, level
 
 RADIUS = 0.1  # m
 LEAVE = "as many leave as came, with the same speed: momentum and energy leave no other way"

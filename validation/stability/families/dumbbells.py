@@ -7,9 +7,18 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from validation.formulas.machines import dumbbell_bounce
-from validation.stability.case import Frontier, HardCase
+from validation.stability.hard_case import Frontier, HardCase
 from validation.stability.run_measures import Run, mass, rows
-from validation.stability.scene import MOMENTUM, Document, block, check, disc, level, rod, text_of
+from validation.stability.scene_parts import (
+    MOMENTUM,
+    Document,
+    block,
+    check,
+    disc,
+    level,
+    rod,
+    text_of,
+)
 
 RATE = 160.0  # Hz
 FALL = 1.0  # m/s

@@ -10,7 +10,7 @@ from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.physics.run import build
 from sandbox.processes import spread
-from validation.stability.case import HardCase, watch
+from validation.stability.hard_case import HardCase, watch
 from validation.stability.run_measures import Run, measured, naive_of
 
 BALLS = 25

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from validation.stability.case import Frontier, HardCase
+from validation.stability.hard_case import Frontier, HardCase
 from validation.stability.run_measures import Run, drift
-from validation.stability.scene import (
+from validation.stability.scene_parts import (
     NEWTON,
     WATCHED,
     Document,

@@ -3,9 +3,18 @@
 from collections.abc import Iterator
 from math import cos, pi, sin
 
-from validation.stability.case import Frontier, HardCase
+from validation.stability.hard_case import Frontier, HardCase
 from validation.stability.run_measures import drift
-from validation.stability.scene import NEWTON, Document, box, check, ground, level, pile, rounded
+from validation.stability.scene_parts import (
+    NEWTON,
+    Document,
+    box,
+    check,
+    ground,
+    level,
+    pile,
+    rounded,
+)
 
 TILT = 25 * pi / 180  # rad, of a card from the vertical
 CARD = 0.4, 0.002  # m

@@ -3,7 +3,7 @@
 import pygame
 
 from sandbox.app.building.edited_level import EditedLevel
-from sandbox.app.building.pointer import MousePosition, Part
+from sandbox.app.building.mouse_position import MousePosition, Part
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen

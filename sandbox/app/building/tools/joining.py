@@ -9,7 +9,7 @@ import pygame
 
 from sandbox.app.building import shape_preview
 from sandbox.app.building.edited_level import EditedLevel
-from sandbox.app.building.pointer import MousePosition
+from sandbox.app.building.mouse_position import MousePosition
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say

@@ -10,8 +10,8 @@ import pygame
 
 from sandbox.app.building import selection_handles, shape_preview
 from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.mouse_position import MousePosition, Part, SnappedPoint
 from sandbox.app.building.partial_level import DrawableBody
-from sandbox.app.building.pointer import MousePosition, Part, SnappedPoint
 from sandbox.app.building.selection_handles import Handle
 from sandbox.app.building.tools.tool import STILL, Tool
 from sandbox.app.drawing import theme

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import pygame
 
 from sandbox.app.building.edited_level import EditedLevel
-from sandbox.app.building.pointer import MousePosition
+from sandbox.app.building.mouse_position import MousePosition
 from sandbox.app.drawing.text import Pen
 from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.foreseen_faults import Proposed

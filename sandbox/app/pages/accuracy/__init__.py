@@ -1,7 +1,7 @@
 """The page of the accuracy: the cost of another digit."""
 
+from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.accuracy.panel import AccuracyPage
-from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.page import Desk, Page, PageCommand
 
 

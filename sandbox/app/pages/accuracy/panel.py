@@ -7,11 +7,11 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
 from pygame_gui.elements import UIHorizontalSlider
 
 from sandbox.app.cards.card import Card
-from sandbox.app.pages.accuracy import diagram
+from sandbox.app.pages.accuracy import work_precision_diagram
+from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.accuracy.card import asked, ends, rest, status
-from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import later, say
 
 DIAGRAM = 158  # px, its height
@@ -112,10 +112,12 @@ class AccuracyPage:
         studying, pen, width = self._studying, self._sheet.pen, self._sheet.width
         card = Card(pen, width)
         card.text(say("largest numerical error"), 12)
-        chart = diagram.draw(pen, (width, self._sheet.px(DIAGRAM)), studying.points, studying.here)
+        chart = work_precision_diagram.draw(
+            pen, (width, self._sheet.px(DIAGRAM)), studying.points, studying.here
+        )
         card.put(chart, 0)
         card.y += chart.height + 3
-        legend = diagram.legend(pen, width, studying.points)
+        legend = work_precision_diagram.legend(pen, width, studying.points)
         card.put(legend, 0)
         card.y += 2 * (pen.height(12) + 1)
         return card.drawn()

@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.building import keys
+from sandbox.app.building import editor_keys
 from sandbox.app.building.editor import Editor
 from sandbox.app.pages.build.panel import BuildPage
 from sandbox.app.pages.page import Desk, Page, PageCommand
@@ -27,6 +27,6 @@ PAGE = Page(
         PageCommand("new scene", "B", "build from an empty scene", _new, pygame.K_n),
         PageCommand("save level", "", "save the level as it is built", _save, pygame.K_s),
     ),
-    keys=keys.HELP,
+    keys=editor_keys.HELP,
     energy=False,
 )

@@ -9,8 +9,8 @@ from pygame_gui.elements import UIButton
 from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.editable_fields import EditableField, Row, Section, caption_of
 from sandbox.app.drawing import theme
-from sandbox.app.pages.build.column import GAP, HEIGHT, Column
-from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
+from sandbox.app.widgets.scrolling_area import Sheet
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words.language import later, say

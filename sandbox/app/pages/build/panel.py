@@ -13,12 +13,12 @@ from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.editable_fields import Row
 from sandbox.app.building.editor import Editor
 from sandbox.app.pages.build import sections
-from sandbox.app.pages.build.column import GAP, HEIGHT, Column
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.sections import Block
 from sandbox.app.pages.build.toolbar import Palette
+from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.widgets.scrolling_area import Sheet
 from sandbox.app.widgets.widget_helpers import press, scroll
 from sandbox.app.words.language import say
 from sandbox.model import json_positions

@@ -4,18 +4,18 @@ from functools import partial
 from typing import NamedTuple
 
 from sandbox.app.building import editable_fields, inspected_fields
-from sandbox.app.building.arranging import arrangements
+from sandbox.app.building.arrangement_actions import arrangements
 from sandbox.app.building.button_action import ButtonAction
-from sandbox.app.building.context_actions import part_actions
+from sandbox.app.building.check_and_challenge_actions import stated
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.effect_costs import said
-from sandbox.app.building.level_actions import stated
 from sandbox.app.building.recovery_choices import offers
+from sandbox.app.building.selected_part_actions import part_actions
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
-from sandbox.editing.edits.titling import is_untitled
+from sandbox.editing.edits.automatic_title import is_untitled
 from sandbox.model.effects import EFFECTS, Effects
 
 FIRST = later("Draw something: take Disc or Box above, and drag on the stage.")

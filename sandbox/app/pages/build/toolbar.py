@@ -10,9 +10,9 @@ from pygame_gui.elements import UIButton
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
-from sandbox.app.pages.build.column import GAP, HEIGHT, SIZE, SMALL, beside
+from sandbox.app.pages.build.widget_column import GAP, HEIGHT, SIZE, SMALL, beside
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.widgets.scrolling_area import Sheet
 from sandbox.app.widgets.widget_helpers import allow, press, show, stretched
 from sandbox.app.words.language import later, say, say_in
 

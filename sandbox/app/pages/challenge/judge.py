@@ -1,6 +1,6 @@
 """The judge of challenges, which compares every run with the goals, and keeps the stars."""
 
-from sandbox.app.files.progress import Progress
+from sandbox.app.files.challenge_stars import Progress
 from sandbox.app.pages.page import IdleWorker
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say

@@ -13,11 +13,11 @@ from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.companions import NONE
-from sandbox.app.widgets.sheet import Sheet, below, in_rows
+from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
 from sandbox.app.widgets.widget_helpers import allow, press
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
-from sandbox.model.effect_variants import DEFAULTS
+from sandbox.model.levels_with_changed_effects import DEFAULTS
 
 if TYPE_CHECKING:
     from sandbox.physics.measuring.run_comparison import Difference

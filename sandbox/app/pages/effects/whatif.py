@@ -8,10 +8,10 @@ from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
-from sandbox.model.effect_variants import DEFAULTS, vary
 from sandbox.model.effects.contract import Settings
 from sandbox.model.level import Level, Scheme, Stepping
-from sandbox.model.schemes import unsmooth
+from sandbox.model.levels_with_changed_effects import DEFAULTS, vary
+from sandbox.model.scheme_requirements import unsmooth
 from sandbox.physics.measuring.run_comparison import Difference, differences
 
 DECLARED = later("as the level declares it")

@@ -7,10 +7,10 @@ from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
 
 from sandbox.app.cards.card import heading
 from sandbox.app.pages.experiment.card import curve, named, nearest, shown_as, span_of
+from sandbox.app.pages.experiment.curve_sampling import Point
 from sandbox.app.pages.experiment.parameter_curve import CurveWorker, measures
-from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 

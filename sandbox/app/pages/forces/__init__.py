@@ -1,6 +1,6 @@
 """The page of the forces on a body."""
 
-from sandbox.app.pages.forces.axes import Axes
+from sandbox.app.pages.forces.component_axes import Axes
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.pages.page import Page
 

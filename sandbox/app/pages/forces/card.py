@@ -10,7 +10,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing import forces_on_selection
 from sandbox.app.pages.forces import force_diagrams
-from sandbox.app.pages.forces.axes import Axes, components
+from sandbox.app.pages.forces.component_axes import Axes, components
 from sandbox.app.runs.session import Session
 from sandbox.app.words.formatting import name_in_words, number
 from sandbox.app.words.language import later, say

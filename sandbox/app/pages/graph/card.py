@@ -19,7 +19,7 @@ from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
-from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import TIME
 from sandbox.physics.accuracy.trusted_digits import Trust

@@ -102,7 +102,7 @@ def drawn(found: Figure) -> bytes:
     """Return a figure as the content of a PNG file."""
     from matplotlib.figure import Figure as Drawing
 
-    from sandbox.reporting.plots import COLOURS, style, written
+    from sandbox.reporting.plot_style import COLOURS, style, written
 
     with style():
         drawing = Drawing((WIDTH, HEIGHT * len(found.fields)), layout="constrained")

@@ -14,14 +14,14 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app.cards.card import heading
 from sandbox.app.drawing import theme
-from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.chosen_quantities import Choice, offered, words_for_search
 from sandbox.app.pages.graph.figure import figure
 from sandbox.app.pages.graph.zoom import NOTCH, SHIFT, WHOLE, Zooming
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.words.language import say
 from sandbox.model.quantities import TIME

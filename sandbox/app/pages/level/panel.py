@@ -7,11 +7,11 @@ from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.app.cards.card import heading
 from sandbox.app.cards.checks import checks, unjudged
-from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say

@@ -11,7 +11,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
-from sandbox.app.stage import momenta
+from sandbox.app.stage import momentum_scale
 from sandbox.app.stage.level_labels import seen_from
 from sandbox.app.stage.observer import Observer
 from sandbox.app.words import formatting
@@ -37,7 +37,7 @@ def bodies(world: World, place: str | None = None) -> list[Momentum]:
 
     They are as seen from a place, see `Observer`.
     """
-    found, every = momenta.heavy(world), momenta.momenta(world, world.snapshot, place)
+    found, every = momentum_scale.heavy(world), momentum_scale.momenta(world, world.snapshot, place)
     each = {row: Momentum(formatting.name_in_words(name), every[row]) for row, name in found}
     if len(found) <= MOST:
         return [*each.values()]
@@ -70,7 +70,7 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw momenta as bars along x and y, above the balance of the total."""
     card, world = Card(pen, width), session.world
     place = Observer(world, session.looking.seen_from).place
-    scale = momenta.scale(session, world, session.history.snapshots, place)
+    scale = momentum_scale.scale(session, world, session.history.snapshots, place)
     card.heading(say("Momentum"))
     shown = bodies(world, place)
     if not shown:
@@ -78,12 +78,12 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
         return card.drawn()
     message = say("nothing has moved yet")
     if scale:
-        message = say("a full bar is {size:g} {unit}", size=scale, unit=momenta.UNIT)
+        message = say("a full bar is {size:g} {unit}", size=scale, unit=momentum_scale.UNIT)
     card.text(message, 12, theme.DIM)
     if place is not None:
         card.text(seen_from(place), 12, theme.NOTICE)
     card.y += 4
-    total = momenta.momenta(world, world.snapshot, place).sum(axis=0)
+    total = momentum_scale.momenta(world, world.snapshot, place).sum(axis=0)
     _add_bars(card, Momentum(say("total"), total), scale, (theme.TOTAL, theme.TOTAL))
     if len(shown) > MOST:
         message = say("the largest {count}, and the others together", count=MOST)
@@ -110,7 +110,7 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
         drawn = bar(length, value / scale if scale else 0.0, color, pen.px(10))
         card.put(drawn, left, pen.px(5))
         told = formatting.without_rounding(value, scale)
-        text = pen.write(formatting.quantity(told, momenta.UNIT, 4), 13)
+        text = pen.write(formatting.quantity(told, momentum_scale.UNIT, 4), 13)
         card.put(text, width - text.width)
         card.y += pen.height(13)
     card.y += 3
@@ -120,7 +120,7 @@ def _add_table(card: Card, rows: Sequence[Momentum], scale: float) -> None:
     """Add momenta as numbers, in a column for each axis; rounding errors of a scale are zero."""
     pen, ends = card.pen, (card.width - card.pen.px(COLUMN), card.width)
     for axis, color, end in zip("xy", _axes(), ends, strict=True):
-        head = pen.write(f"{axis} [{momenta.UNIT}]", 12, color)
+        head = pen.write(f"{axis} [{momentum_scale.UNIT}]", 12, color)
         card.put(head, end - head.width)
     card.y += pen.height(12)
     scale = max(scale, *(float(np.hypot(*row.value)) for row in rows))  # another may observe

@@ -2,7 +2,7 @@
 
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.predict.panel import PredictPage
-from sandbox.app.pages.predict.predicting import PredictionWorker
+from sandbox.app.pages.predict.prediction_in_progress import PredictionWorker
 
 PAGE = Page(
     name="predict",

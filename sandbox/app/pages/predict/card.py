@@ -8,8 +8,8 @@ from sandbox.app.cards.card import GAP, Card
 from sandbox.app.cards.checks import TOUCHED
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.pages.predict.judging import LIMITS, Outcome
 from sandbox.app.pages.predict.neglected_effects import Trial, TrialProgress
+from sandbox.app.pages.predict.prediction_outcome import LIMITS, Outcome
 from sandbox.app.pages.predict.questions import when
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.companions import Changes
 from sandbox.app.words import formatting
-from sandbox.model.effect_variants import Variation
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level
+from sandbox.model.levels_with_changed_effects import Variation
 from sandbox.physics.measuring.grading import grade_check
 from sandbox.physics.run import simulate
 

@@ -18,7 +18,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.run import build
-from sandbox.physics.scene.schemes import usable
+from sandbox.physics.scene.usable_schemes import usable
 
 MOST = 4
 """The largest number of schemes in a race."""

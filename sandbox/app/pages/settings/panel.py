@@ -8,13 +8,13 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import sounds
+from sandbox.app import impact_sounds
 from sandbox.app.cards.card import heading, label
 from sandbox.app.drawing import theme
 from sandbox.app.files import preferences
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.sheet import Sheet, below, in_rows
+from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
 from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import language
 from sandbox.app.words.language import say, say_in
@@ -117,7 +117,7 @@ def _motion(comfort: WindowPreferences) -> Sequence[Choice]:
 
 def _heard(comfort: WindowPreferences) -> str:
     """Return a description of the sound, or the reason why there is none although it is on."""
-    why = sounds.opened() if comfort.chosen.sound else ""
+    why = impact_sounds.opened() if comfort.chosen.sound else ""
     if why:
         return say("No sound is available ({reason}). Switch it on to try again.", reason=why)
     return say("Tones at impacts: deep for heavy bodies, loud for hard impacts.")

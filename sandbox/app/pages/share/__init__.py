@@ -1,7 +1,7 @@
 """The page that saves pictures, films, tables, runs and levels."""
 
 from sandbox.app.pages.page import Page
-from sandbox.app.pages.share.filming import Filming
+from sandbox.app.pages.share.background_film import Filming
 from sandbox.app.pages.share.panel import SharePage
 
 PAGE = Page(

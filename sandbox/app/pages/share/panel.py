@@ -14,9 +14,9 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
-from sandbox.app.pages.share.filming import Filming
+from sandbox.app.pages.share.background_film import Filming
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import later, say
 
 BUTTON = 104, 28  # px

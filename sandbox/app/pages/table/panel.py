@@ -3,14 +3,14 @@
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
-from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.table.card import values
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.pages.table.stopwatch_controls import StopwatchControls
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import later, say
 
 HEIGHT = 28  # px, of the button

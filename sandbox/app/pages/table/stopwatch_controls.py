@@ -8,7 +8,7 @@ from sandbox.app.cards.card import Card, heading, label
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.pages.table.stopwatch_triggers import StopwatchTrigger, occasions
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import say
 
 LIST = 92  # px, the height of each of the two lists

@@ -4,15 +4,15 @@ import numpy as np
 import pygame
 
 from sandbox.app.drawing import lines, theme
-from sandbox.app.stage import momenta
+from sandbox.app.stage import momentum_scale
+from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.motion_marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 from sandbox.app.words.formatting import number
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
-    rows = dict(momenta.heavy(view.world))
+    rows = dict(momentum_scale.heavy(view.world))
     every = view.observer.seen(view.world.snapshot.acceleration)
     sizes = np.hypot(*every[list(rows)].T) if rows and view.few else np.zeros(0)
     if not sizes.any() or not np.isfinite(sizes).all():

@@ -3,8 +3,8 @@
 import pygame
 
 from sandbox.app.stage import motion_marks
+from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 
 AT_REST = 1e-6
 """The distance, as a fraction of the visible width, below which bodies count as at rest."""

@@ -3,15 +3,15 @@
 import pygame
 
 from sandbox.app.drawing import lines, theme
-from sandbox.app.stage import momenta
+from sandbox.app.stage import momentum_scale
+from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 
 RADIUS, ARM = 5, 9  # px, of the ring and of the cross in it
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
-    rows = [row for row, _ in momenta.heavy(view.world)]
+    rows = [row for row, _ in momentum_scale.heavy(view.world)]
     if not rows:
         return
     snapshot, scene = view.world.snapshot, view.world.scene

@@ -18,10 +18,10 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.forces_on_selection import felt
-from sandbox.app.stage import overlay_key
+from sandbox.app.stage import overlay_legend
+from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.motion_marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 from sandbox.app.words.formatting import nice
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Array
@@ -217,7 +217,7 @@ def _draw_key(surface: pygame.Surface, view: View, scale: float) -> None:
         (partial(sample, slides=False), say("holds, {force:g} N", force=force)),
         (partial(sample, slides=True), slides),
     )
-    overlay_key.draw(surface, view, rows, "key of contacts")
+    overlay_legend.draw(surface, view, rows, "key of contacts")
 
 
 def _draw_chain_key(surface: pygame.Surface, view: View, full: float) -> None:
@@ -230,7 +230,7 @@ def _draw_chain_key(surface: pygame.Surface, view: View, full: float) -> None:
         (partial(sample, slides=False), say("holds, {force:g} N", force=full)),
         (partial(sample, slides=True), say("slides, {force:g} N", force=full / 2)),
     )
-    overlay_key.draw(surface, view, rows, "key of contacts")
+    overlay_legend.draw(surface, view, rows, "key of contacts")
 
 
 OVERLAY = Overlay(

@@ -9,10 +9,10 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.forces_on_selection import newtons
-from sandbox.app.stage import overlay_key
+from sandbox.app.stage import overlay_legend
+from sandbox.app.stage.drawing_data import NAMED, View
 from sandbox.app.stage.joint_paths import path_of
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import NAMED, View
 from sandbox.app.words.language import say
 from sandbox.model.joints import Pulley, Rod, Rope, Spring, Winding
 from sandbox.model.shapes import XY
@@ -48,7 +48,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         (partial(_sample, share=1.0), say("pulls, {force} N", force=newtons(full))),
         (partial(_sample, share=-0.5), say("pushes, {force} N", force=newtons(full / 2))),
     )
-    overlay_key.draw(surface, view, rows, "key of loads")
+    overlay_legend.draw(surface, view, rows, "key of loads")
 
 
 def _path(view: View, name: str) -> list[XY]:

@@ -3,10 +3,10 @@
 import pygame
 
 from sandbox.app.drawing import lines, theme
-from sandbox.app.stage import momenta
+from sandbox.app.stage import momentum_scale
+from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.motion_marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 from sandbox.app.words.formatting import nice
 
 WIDTH = 6.0  # px, wide enough to be seen below the arrow of the velocity
@@ -17,12 +17,12 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if not view.few:
         return
     place = view.observer.place
-    full = momenta.scale(view, view.world, view.world.snapshot, place)
+    full = momentum_scale.scale(view, view.world, view.world.snapshot, place)
     if not full:
         return
     length = LONGEST * view.camera.size[0] / full  # px for 1 kg m/s
-    every = momenta.momenta(view.world, view.world.snapshot, place)
-    for row, name in momenta.heavy(view.world):
+    every = momentum_scale.momenta(view.world, view.world.snapshot, place)
+    for row, name in momentum_scale.heavy(view.world):
         x, y = view.camera.to_screen(view.state(view.outlines[name])[0])
         px, py = every[row].tolist()
         end = x + px * length, y - py * length
@@ -35,7 +35,7 @@ def _draw_key(surface: pygame.Surface, view: View, length: float) -> None:
     value = nice(70 / length)
     right, below, width, height = map(view.pen.px, KEY)
     x, y = view.camera.size[0] - right, view.camera.size[1] - below
-    text = view.pen.write(f"{value:g} {momenta.UNIT}", 12)
+    text = view.pen.write(f"{value:g} {momentum_scale.UNIT}", 12)
     start = x - value * length
     lines.arrow(surface, theme.RESULTANT, (start, y), (x, y), WIDTH)
     surface.blit(text, (x - max(value * length, text.width), y - text.height - 3))

@@ -10,11 +10,11 @@ from math import cos, dist, hypot, sin, tau
 import pygame
 
 from sandbox.app.drawing import lines, theme
-from sandbox.app.stage import overlay_key
+from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.body_outlines import Outline
+from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.overlays.arrows import seconds
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 
@@ -43,7 +43,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
             _draw_center(surface, view, outline, spin)
     if turns:
         row = (_sample, say("turns about this point now"))
-        overlay_key.draw(surface, view, [row], "key of turning")
+        overlay_legend.draw(surface, view, [row], "key of turning")
 
 
 def _draw_velocities(

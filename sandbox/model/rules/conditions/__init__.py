@@ -4,19 +4,25 @@ from collections.abc import Callable, Iterator
 from itertools import chain
 
 from sandbox.model.level import Level
-from sandbox.model.rules.conditions import effects, joints, scene, whole_duration, wire_shapes
+from sandbox.model.rules.conditions import (
+    effects,
+    formulas_over_time,
+    joints,
+    numbers_and_shapes,
+    wire_shapes,
+)
 from sandbox.model.rules.conditions.condition import Condition
 
 _TOPICS: tuple[Callable[[Level], Iterator[Condition]], ...] = (
-    scene.numbers,
-    scene.shapes,
+    numbers_and_shapes.numbers,
+    numbers_and_shapes.shapes,
     joints.conditions,
-    scene.landscape,
+    numbers_and_shapes.landscape,
     effects.fields,
     effects.friction,
     effects.singular_forces,
     effects.rockets,
-    whole_duration.conditions,
+    formulas_over_time.conditions,
     wire_shapes.conditions,
 )
 

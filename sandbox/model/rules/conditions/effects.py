@@ -6,12 +6,12 @@ from math import dist, isfinite
 
 import numpy as np
 
-from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.effects.attraction import Attraction
 from sandbox.model.effects.contract import Effect
 from sandbox.model.effects.field import Field
 from sandbox.model.effects.potential import Potential
 from sandbox.model.errors import brief
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, NonNegative, Positive, Values
 from sandbox.model.functions import Function
 from sandbox.model.json_positions import Path

@@ -7,8 +7,8 @@ from functools import partial
 import numpy as np
 
 from sandbox.model.acting_events import tied
-from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.errors import brief
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Values
 from sandbox.model.joint_ends_at_start import place, span
 from sandbox.model.joints import (

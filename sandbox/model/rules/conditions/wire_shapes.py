@@ -15,7 +15,7 @@ from sandbox.model.number_bounds import Coordinate
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import Curve
 from sandbox.model.translatable_message import Message, word
-from sandbox.model.wires import NEAR, PIECES, Points, along, is_closed, places
+from sandbox.model.wire_points import NEAR, PIECES, Points, along, is_closed, places
 
 COARSE = 256
 """The number of pieces of a wire or curve that are tested for crossings."""

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
+from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.rules.consistency.mentions import named_parameters

@@ -3,14 +3,14 @@
 from collections.abc import Iterator
 from keyword import iskeyword
 
-from sandbox.model.arithmetic import RESERVED
-from sandbox.model.constants import circle
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
+from sandbox.model.expression_compiler import RESERVED
 from sandbox.model.functions import VARIABLES, Curve, Formula
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
+from sandbox.model.named_constants import circle
 from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.rules.consistency.mentions import couples, named_bodies, named_quantities
 from sandbox.model.translatable_message import NOTHING, Message

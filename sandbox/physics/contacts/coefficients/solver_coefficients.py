@@ -14,7 +14,7 @@ from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.contacts.shapes.pymunk_shapes import SKIN
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.shapes.one_way import Gates
+    from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
 
 Collision = Callable[[pymunk.Arbiter, pymunk.Space, object], None]
 

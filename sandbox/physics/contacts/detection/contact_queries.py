@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pymunk
 
-from sandbox.physics.contacts.shapes.collision_filter import meets
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.geometry.outline_distance import dot
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.shapes.one_way import Gates
+    from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
 
 Points = tuple[complex, complex]
 """The contact point of two shapes, on the surface of each [m]."""

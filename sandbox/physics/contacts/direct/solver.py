@@ -24,16 +24,16 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
 from sandbox.physics.contacts.direct.drifts.drift_parts import CutDrift, DriftPart
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
 from sandbox.physics.contacts.direct.drifts.joint_catches import Pulls, caught
-from sandbox.physics.contacts.direct.drifts.landing_drifts import DriftCutter
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
 from sandbox.physics.contacts.direct.kicks.breaking_loose import loosened
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
-from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult, Stage
+from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult, Stage
 from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, take
 from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts

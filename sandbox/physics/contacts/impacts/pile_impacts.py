@@ -13,7 +13,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.impacts.endless_impacts_error import EndlessImpacts
 from sandbox.physics.engine.space_arrays import Integers
-from sandbox.physics.state.cancellation import cancellation_point
+from sandbox.physics.state.cancellation_points import cancellation_point
 
 ROUNDING = 1e-12
 """An approach slower than this share of the speeds whose difference it is counts as zero."""

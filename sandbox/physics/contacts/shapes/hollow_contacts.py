@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
+from sandbox.physics.contacts.shapes.hoop_enclosures import Enclosures
 from sandbox.physics.engine.pre_solve_contact import PreSolveContact, address
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, Verdict, way_along

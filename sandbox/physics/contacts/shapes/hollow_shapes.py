@@ -23,10 +23,10 @@ from sandbox.physics.contacts.shapes.corner_feelers import (
     half_of,
     make_feeler,
 )
+from sandbox.physics.contacts.shapes.curve_ends import make_ends
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
-from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
-from sandbox.physics.contacts.shapes.line_ends import make_ends
-from sandbox.physics.engine.bodies import center_of, local_points
+from sandbox.physics.contacts.shapes.hoop_enclosures import Enclosures
+from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.geometry.arc_contacts import Arc, Piece
 from sandbox.physics.geometry.convex_decomposition import convex_parts
 from sandbox.physics.geometry.curve_contacts import course_of

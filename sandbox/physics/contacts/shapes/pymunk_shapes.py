@@ -23,7 +23,7 @@ from sandbox.model.shapes import (
     Shape,
     evaluate,
 )
-from sandbox.physics.engine.bodies import center_of, local_points
+from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
 from sandbox.physics.geometry.curve_contacts import course_of
 from sandbox.physics.geometry.outline_distance import smallest

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sandbox.model.translatable_message import Message
-from sandbox.model.wires import Points
+from sandbox.model.wire_points import Points
 from sandbox.physics.geometry.quintic_curve import Quintics
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Share
 from sandbox.physics.state.anchor import Anchor

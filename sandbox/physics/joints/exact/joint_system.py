@@ -17,7 +17,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     planes,
 )
 from sandbox.physics.joints.exact.distance_equations import Reaches, Row
-from sandbox.physics.joints.exact.equations import Equations
+from sandbox.physics.joints.exact.equation_tables import Equations
 
 
 class JointSystem:

@@ -32,7 +32,7 @@ from sandbox.physics.joints.exact.joint_failures import check_independent, lost,
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.separate_joints import alone
 from sandbox.physics.joints.exact.solvability import solved
-from sandbox.physics.state.cancellation import cancellation_point
+from sandbox.physics.state.cancellation_points import cancellation_point
 from sandbox.physics.state.errors import JointFailure
 
 TAUT = 1e-12

@@ -1,7 +1,7 @@
 """The stage of the direct solver: contacts and exact joints together (see `contacts/direct`)."""
 
 from sandbox.physics.energy.step_record import StepRecord
-from sandbox.physics.state.kick import Kick
+from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
 from sandbox.physics.stepping.stages.non_pymunk_joints import bearing
 

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from sandbox.physics.state.kick import Kick
+from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
 
 

@@ -6,7 +6,7 @@ pymunk's solver.
 """
 
 from sandbox.physics.engine.prescribed_motion import Motions
-from sandbox.physics.state.kick import Kick
+from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
 
 

@@ -6,7 +6,7 @@ from functools import partial
 from sandbox.model.acting_events import loads
 from sandbox.physics.joints.joint_changes import stick
 from sandbox.physics.joints.joints import Joints
-from sandbox.physics.state.kick import Kick, Work
+from sandbox.physics.state.kick_context import Kick, Work
 from sandbox.physics.stepping.stage import Setup, Stage
 
 

@@ -1,7 +1,7 @@
 """The stage of sequential impacts, between drift and kick."""
 
 from sandbox.physics.energy.step_record import StepRecord
-from sandbox.physics.state.kick import Kick
+from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
 
 

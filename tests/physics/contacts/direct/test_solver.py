@@ -17,7 +17,7 @@ from sandbox.physics.contacts.direct.complementarity import (
     mixed_complementarity,
 )
 from sandbox.physics.contacts.direct.solving import constraint_impulses
-from sandbox.physics.contacts.direct.solving.newton import newton
+from sandbox.physics.contacts.direct.solving.newton_method import newton
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError

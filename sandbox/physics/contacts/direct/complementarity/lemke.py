@@ -11,9 +11,9 @@ slower than updates of the active set, and used only where these cycle.
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.linear_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
 from sandbox.physics.engine.space_arrays import Integers
-from sandbox.physics.state.cancellation import cancellation_point
+from sandbox.physics.state.cancellation_points import cancellation_point
 
 PIVOTS = 20
 """The most pivots per condition."""

@@ -25,7 +25,7 @@ from sandbox.physics.contacts.direct.complementarity.active_set import ActiveSet
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active, Problem
 from sandbox.physics.contacts.direct.complementarity.friction_bounds import FrictionBounds
 from sandbox.physics.contacts.direct.complementarity.linear_complementarity import FAINT, by_lemke
-from sandbox.physics.contacts.direct.complementarity.linear_systems import (
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import (
     REPEATS,
     least_distance,
     most,
@@ -33,7 +33,7 @@ from sandbox.physics.contacts.direct.complementarity.linear_systems import (
     solved,
 )
 from sandbox.physics.engine.space_arrays import Integers
-from sandbox.physics.state.cancellation import cancellation_point
+from sandbox.physics.state.cancellation_points import cancellation_point
 
 TOLERANCE = 1e-11
 """The tolerance of each condition, as a share of the largest impulse or rate."""

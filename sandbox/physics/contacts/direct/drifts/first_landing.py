@@ -9,7 +9,7 @@ from sandbox.physics.contacts.direct.drifts.first_meeting import (
     MeetingFinder,
     PossibleMeetings,
 )
-from sandbox.physics.geometry.roots import secant
+from sandbox.physics.geometry.root_finding import secant
 
 REFINED = 6
 """The most refinements of a landing's time: the forces of joints depend on it."""

@@ -19,7 +19,7 @@ from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
     SpeculativeContacts,
 )
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.geometry.roots import root
+from sandbox.physics.geometry.root_finding import root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 
 SOON = 1e-6

@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.contacts.direct.drifts.first_landing import REFINED, Shortened
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.geometry.roots import root, secant
+from sandbox.physics.geometry.root_finding import root, secant
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.shake import ExactJoints
 

@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.geometry.roots import secant
+from sandbox.physics.geometry.root_finding import secant
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 LEAST = 1e-8

@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct.complementarity.islands import islands
 from sandbox.physics.contacts.direct.drifts.drift_parts import moving
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
-from sandbox.physics.contacts.direct.kicks.kick_parts import KickResult
+from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
     LOOKS,
     SpeculativeContacts,

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sandbox.physics.contacts.direct.rows.contact_outlines import PARALLEL
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 

@@ -8,7 +8,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solving.newton import solve_rows
+from sandbox.physics.contacts.direct.solving.newton_method import solve_rows
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.impacts.pile_impacts import Pile
 from sandbox.physics.engine.space_arrays import Booleans, Integers

@@ -24,7 +24,7 @@ from sandbox.physics.contacts.detection.time_of_impact import (
     nearest,
     touching,
 )
-from sandbox.physics.contacts.direct.complementarity.linear_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts, Pair, PlacedParts
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowCorner, HollowPairs
@@ -33,9 +33,9 @@ from sandbox.physics.contacts.direct.prediction.separation_bound import (
     Separation,
     spread,
 )
-from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
+from sandbox.physics.contacts.direct.rows.contact_outlines import PARALLEL
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
-from sandbox.physics.contacts.shapes.collision_filter import meets
+from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.geometry.outline_distance import Outline, outlines
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, planes

@@ -21,7 +21,7 @@ from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, put
 from sandbox.physics.geometry.curve_contacts import verdict
 from sandbox.physics.geometry.outline_distance import FEELER, Outline, dot, outline_of
-from sandbox.physics.geometry.roots import root
+from sandbox.physics.geometry.root_finding import root
 from sandbox.physics.geometry.traced_contacts import ContactGeometry, Trace, trace, trace_convex
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Plane

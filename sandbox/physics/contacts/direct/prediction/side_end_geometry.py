@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
-from sandbox.physics.contacts.direct.prediction.straight_sides import NEAR, Sides
+from sandbox.physics.contacts.direct.prediction.straight_side_tables import NEAR, Sides
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.arc_contacts import Piece

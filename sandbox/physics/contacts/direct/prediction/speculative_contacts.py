@@ -8,7 +8,7 @@ do not yet, get a row of their own: the gap may close but no further. Then the k
 exceeds the gap; the impact at the next step removes the rest. Neither adds energy.
 
 That is for corners that come down gently. Those that strike, and bodies that do not touch yet, are
-located within the drift (see `landing_drifts`).
+located within the drift (see `drift_cutter`).
 """
 
 from collections.abc import Iterator, Sequence

@@ -3,7 +3,7 @@
 A contact between a side and a disc or a corner ends where that reaches the end of the side. From
 there on the end of the side touches instead: a disc turns about it, or flies off, and a corner is
 past it, so that the other body's side touches. The forces jump. So the drift is cut there; see
-`landing_drifts`. Likewise a disc that turns about a corner comes onto the next side.
+`drift_cutter`. Likewise a disc that turns about a corner comes onto the next side.
 
 Two sides that lie on each other touch as long as they overlap.
 """
@@ -16,16 +16,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.linear_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts
 from sandbox.physics.contacts.direct.prediction.side_end_geometry import (
     EndCrossing,
     Line,
     PointsOnSides,
 )
-from sandbox.physics.contacts.direct.prediction.straight_sides import NEAR, Sides
+from sandbox.physics.contacts.direct.prediction.straight_side_tables import NEAR, Sides
+from sandbox.physics.contacts.direct.rows.contact_outlines import SHARP
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.rows.outlines import SHARP
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.engine.space_arrays import Booleans, Contacts

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.physics.contacts.direct.rows.outlines import Figures, Outlines
+from sandbox.physics.contacts.direct.rows.contact_outlines import Figures, Outlines
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 
 FROM_TO = np.array([[-1.0], [1.0]])

@@ -13,10 +13,10 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
 from sandbox.physics.contacts.coefficients.static_friction import sticking
-from sandbox.physics.contacts.direct.rows.outlines import Figure, Figures
+from sandbox.physics.contacts.direct.rows.contact_outlines import Figure, Figures
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN, INSET
-from sandbox.physics.engine.bodies import center_of, local_points
+from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.geometry.curve_contacts import course_of
 from sandbox.physics.geometry.outline_distance import surfaces

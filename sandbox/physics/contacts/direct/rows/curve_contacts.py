@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.rows.outlines import Figures
+from sandbox.physics.contacts.direct.rows.contact_outlines import Figures
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.geometry.plane_curve import Course, CurvePoint

@@ -24,6 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.rows.contact_outlines import SHARP, Outlines
 from sandbox.physics.contacts.direct.rows.contact_points import FROM_TO, ContactPoints
 from sandbox.physics.contacts.direct.rows.curve_contacts import (
     CurveContact,
@@ -31,7 +32,6 @@ from sandbox.physics.contacts.direct.rows.curve_contacts import (
     on_curves,
     roll_on_curves,
 )
-from sandbox.physics.contacts.direct.rows.outlines import SHARP, Outlines
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Plane

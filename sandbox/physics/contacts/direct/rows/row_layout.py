@@ -16,8 +16,8 @@ from sandbox.physics.contacts.direct.complementarity.constraint_rows import (
     SystemTooLarge,
 )
 from sandbox.physics.contacts.direct.complementarity.islands import islands
+from sandbox.physics.contacts.direct.rows.contact_outlines import Figures
 from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
-from sandbox.physics.contacts.direct.rows.outlines import Figures
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.shake import ExactJoints
 

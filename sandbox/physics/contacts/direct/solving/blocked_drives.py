@@ -7,7 +7,7 @@ is a matter of geometry: velocities must exist with which no gap shrinks and all
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.linear_systems import least_distance
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import least_distance
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
-from sandbox.physics.contacts.direct.complementarity.linear_systems import nearest
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import nearest
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
-from sandbox.physics.contacts.direct.solving.newton import newton
+from sandbox.physics.contacts.direct.solving.newton_method import newton
 from sandbox.physics.contacts.direct.solving.redundant_contacts import check_held, without_held
 from sandbox.physics.joints.exact.constraint_interface import GROWS
 from sandbox.physics.state.errors import JointFailure, NoForces

@@ -12,7 +12,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
 from sandbox.physics.contacts.direct.rows.kick_system import PROUD, Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout, Surfaces
-from sandbox.physics.contacts.direct.solving.newton import newton
+from sandbox.physics.contacts.direct.solving.newton_method import newton
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.state.errors import JointFailure, NoForces
 

@@ -7,7 +7,7 @@ nanometres. There the pin holds, and the contact bears nothing.
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.linear_systems import CUT, nearest
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import CUT, nearest
 from sandbox.physics.contacts.direct.rows.contact_properties import SLOP
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout

@@ -11,7 +11,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
-from sandbox.physics.contacts.direct.complementarity.linear_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
 from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout

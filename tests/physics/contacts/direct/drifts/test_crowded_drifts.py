@@ -8,8 +8,8 @@ import pytest
 
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
+from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
 from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
-from sandbox.physics.contacts.direct.drifts.landing_drifts import DriftCutter
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level

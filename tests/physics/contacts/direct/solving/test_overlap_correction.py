@@ -5,8 +5,8 @@ import pytest
 
 from sandbox.model.expressions import Array
 from sandbox.physics.run import build
-from validation.stability.case import make
-from validation.stability.scene import Document
+from validation.stability.hard_case import make
+from validation.stability.scene_parts import Document
 
 MASS, WHEEL, ARM = 2000.0, 10.0, 10.0
 """Of the chassis, and of each wheel with its arm [kg]."""

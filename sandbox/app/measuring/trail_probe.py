@@ -1,0 +1,98 @@
+"""A probe for trails: time, position and speed of a body at the point under the mouse."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+
+from sandbox.app.drawing import theme
+from sandbox.app.observing.earlier_runs import alike
+from sandbox.app.observing.state_history import History
+from sandbox.app.runs.session import Session
+from sandbox.app.stage.drawing_data import View
+from sandbox.app.words import formatting
+from sandbox.model.shapes import XY
+
+REACH = 8.0
+"""The largest distance from the mouse to a trail [px]."""
+
+DIGITS = 4
+AWAY, PADDING = 16, 8  # px, from the instant to the text, and around the text
+
+
+class ProbedInstant(NamedTuple):
+    """An instant of a run."""
+
+    body: str
+    """The body of the trail."""
+    t: float
+    place: XY
+    speed: float
+    """The time, and the position and speed of the body for the observer [s, m, m/s]."""
+    at: XY
+    """Where that is in the picture now [m]."""
+    distance: float
+    """The distance to the mouse [px]."""
+    scales: tuple[float, float]
+    """The width of the view [m] and the highest speed [m/s], relative to which values are rounded.
+    """
+
+    @property
+    def text(self) -> str:
+        """The text that describes the instant."""
+        wide, fastest = self.scales
+        told = zip((*self.place, self.speed), (wide, wide, fastest), strict=True)
+        x, y, speed = (
+            formatting.number(formatting.without_rounding(value, scale), DIGITS)
+            for value, scale in told
+        )
+        body = formatting.name_in_words(self.body)
+        return f"{body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
+
+
+def find(view: View, session: Session, pixel: XY) -> ProbedInstant | None:
+    """Return the instant of this run or an earlier one nearest to a pixel; None if none is near."""
+    if not (view.few and view.shown["trail"] and alike(session.world, view.world)):
+        return None
+    earlier = session.earlier if view.observer.place is None else ()
+    histories = session.history, *(run.history for run in earlier)
+    near = [found for history in histories for found in _near(view, history, pixel)]
+    return min(near, key=lambda found: found.distance, default=None)
+
+
+def _near(view: View, history: History, pixel: XY) -> Iterator[ProbedInstant]:
+    """Yield the nearest instant of each moving body, if it is within `REACH`."""
+    states, mouse, scale = history.snapshots, view.camera.to_world(pixel), view.camera.scale
+    seen, velocity = view.observer.seen(states.position), view.observer.seen(states.velocity)
+    paths = view.observer.path(states.position)
+    for name, outline in view.outlines.items():
+        if not outline.moves or outline.hidden:
+            continue
+        distance = np.hypot(*(paths[:, outline.row] - mouse).T) * scale
+        i = int(distance.argmin())
+        if distance[i] <= REACH:
+            speed = float(np.hypot(*velocity[i, outline.row]))
+            place, at = (tuple(found[i, outline.row].tolist()) for found in (seen, paths))
+            scales = view.width, view.fastest
+            yield ProbedInstant(
+                name, float(states.t[i]), place, speed, at, float(distance[i]), scales
+            )
+
+
+def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:
+    """Mark and describe the point of a trail under the mouse."""
+    over = surface.get_rect().collidepoint(pixel)
+    found = find(view, session, pixel) if over else None
+    if found is None:
+        return
+    at = view.camera.to_screen(found.at)
+    pygame.draw.aacircle(surface, theme.NOTICE, at, 5, 2)
+    text = view.pen.write(found.text, 13)
+    plate = text.get_rect(midtop=(at[0], at[1] + AWAY)).inflate(2 * PADDING, PADDING)
+    if plate.bottom > surface.get_height():
+        plate.bottom = round(at[1] - AWAY)
+    plate.clamp_ip(surface.get_rect())
+    pygame.draw.rect(surface, theme.RAISED, plate, border_radius=4)
+    pygame.draw.rect(surface, theme.EDGE, plate, 1, border_radius=4)
+    surface.blit(text, text.get_rect(center=plate.center))

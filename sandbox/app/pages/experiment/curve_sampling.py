@@ -1,0 +1,93 @@
+"""The runs of a curve, made in another process, from coarse to fine."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sandbox.experiments.experiment_file import made
+from sandbox.experiments.make_plan import make
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.row_runs import measured
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.level_parts import Fault
+from sandbox.model.translatable_message import Message, joined
+
+COUNT = 65
+"""The number of values of the parameter: the ends, and the points of repeated bisection."""
+
+
+class Point(NamedTuple):
+    """The result of one run."""
+
+    at: float
+    """the value of the parameter"""
+    measured: float | None
+    expected: float | None
+    """the value of the closed form of the level's check; None if there is none"""
+    failure: str | None
+
+
+class SamplingRefusal(NamedTuple):
+    """The reason why there are no runs."""
+
+    reason: Message
+
+
+def sample(
+    level: Level, values: Values, parameter: str, measure: str
+) -> Iterator[Point | SamplingRefusal]:
+    """Yield the points of a curve over the range of a parameter, from coarse to fine.
+
+    The parameter and the measure have the form of an experiment's file.
+    """
+    try:
+        plan = _plan(level, values, parameter, measure)
+    except SandboxError as error:
+        yield SamplingRefusal(error.message)
+        return
+    for index in coarse_first(COUNT):
+        (cells,) = measured(plan, index, index + 1)
+        _, at, value, *closed, failure = cells
+        expected = closed[0] if closed else None
+        yield Point(_number(at) or 0.0, _number(value), _number(expected), _text(failure))
+
+
+def coarse_first(count: int) -> list[int]:
+    """Return the numbers from 0 to a power of two in the order of repeated bisection."""
+    last, order = count - 1, [0, count - 1]
+    step = last // 2
+    while step:
+        order += range(step, last, 2 * step)
+        step //= 2
+    return order
+
+
+def _plan(level: Level, values: Values, parameter: str, measure: str) -> Plan:
+    known = level.parameters[parameter]
+    given = {
+        "level": level.title,
+        "vary": {parameter: f"{known.min!r}:{known.max!r}:{COUNT}"},
+        "measure": [measure],
+        "set": {name: value for name, value in values.items() if name != parameter},
+    }
+    experiment, faults = made(given)
+    if experiment is not None:
+        plan, faults = make(experiment, level.title, level)
+        if not faults:
+            return plan
+    raise SandboxError(joined(map(_message, faults), "; "))
+
+
+def _message(fault: Fault) -> Message:
+    if not fault.path:
+        return fault.rule
+    return Message("{field}: {rule}", field=fault.path[-1], rule=fault.rule)
+
+
+def _number(cell: object) -> float | None:
+    return cell if isinstance(cell, float) else None
+
+
+def _text(cell: object) -> str | None:
+    return cell if isinstance(cell, str) else None

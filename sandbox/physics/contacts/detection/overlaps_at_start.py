@@ -1,0 +1,89 @@
+"""The check for bodies that overlap at the start, which is a mistake in the level.
+
+The correction of overlaps would throw them apart, or leave them overlapping. So a level with
+overlaps must allow them explicitly, or is refused.
+"""
+
+from collections.abc import Iterator, Mapping
+from itertools import islice
+from typing import TYPE_CHECKING, NamedTuple
+
+import pymunk
+
+from sandbox.model.effects.contact import Contact
+from sandbox.model.expressions import Values
+from sandbox.model.translatable_message import Message
+from sandbox.physics.contacts.detection.contact_queries import touched
+from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.pymunk_shapes import slop_of
+from sandbox.physics.state.errors import SimulationError
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
+
+TOUCHING = 1e-6
+"""m, the overlap of touching bodies that is allowed: skins of 1e-9 m, and rounded decimals."""
+
+ENOUGH = 1000
+"""The most overlaps among which the worst is found, as a heap of n bodies has n² / 2."""
+
+
+class Overlap(NamedTuple):
+    """Two bodies that overlap, and how far [m]."""
+
+    depth: float
+    bodies: tuple[str, str]
+    """Their names, in order."""
+
+    @property
+    def reason(self) -> Message:
+        """The fault that it is at the start."""
+        one, other = self.bodies
+        return Message(
+            "'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or"
+            " give 'contact' \"overlaps\": true",
+            one=one,
+            other=other,
+            depth=self.depth,
+        )
+
+
+def refuse_overlaps(
+    space: pymunk.Space,
+    bodies: Mapping[str, pymunk.Body],
+    contact: Contact,
+    values: Values,
+    hollows: Hollows | None,
+    gates: "Gates | None",
+) -> None:
+    """Refuse bodies that overlap by more than is allowed; the error names the worst pair.
+
+    Bodies that never collide, because they are welded or neither moves, are left out. The error is
+    a `SimulationError`.
+    """
+    least = tolerated(space, contact, values)
+    worst = max(islice(overlaps(space, bodies, least, hollows, gates), ENOUGH), default=None)
+    if worst:
+        raise SimulationError(worst.bodies[0], 0.0, worst.reason)
+
+
+def tolerated(space: pymunk.Space, contact: Contact, values: Values) -> float:
+    """Return the largest overlap that is allowed at the start [m]."""
+    return max(TOUCHING, slop_of(space, contact, values))
+
+
+def overlaps(
+    space: pymunk.Space,
+    bodies: Mapping[str, pymunk.Body],
+    least: float,
+    hollows: Hollows | None,
+    gates: "Gates | None",
+) -> Iterator[Overlap]:
+    """Yield the overlaps of more than `least` [m]; that of two movable bodies twice."""
+    names = {body: name for name, body in bodies.items()}
+    for name, body in bodies.items():
+        for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
+            for found in touched(space, shape, hollows, gates):
+                if found.depth > least and found.body is not body:
+                    other = names[found.body]
+                    yield Overlap(found.depth, (min(name, other), max(name, other)))

@@ -1,0 +1,324 @@
+"""Drifts in which bodies land: each landing is located, and is an impact at its own time.
+
+Between two kicks leapfrog stands for a motion with the accelerations of the last kick: a parabola.
+Where bodies meet on it, the drift is cut. The kick before it is solved again for a drift that ends
+there. Then comes an impact, all at once with the joints and contacts that take part in it, and then
+another drift, in which what has met touches, or is on its way back. Thus nothing is stopped before
+it has come down, or lifted out of what it has come down on. A corner that comes down beside another
+that touches already lands in the same way, if it does so faster than what acts in a step makes it.
+
+A drift is also cut where a contact passes the end of a side: a disc that rolls off a table falls
+from there, and not from where the step ends; see `support_ends`. Nothing is struck there, but other
+contacts act from there on.
+
+It is cut where friction ends a slip as well; see `slip_ends`. From there on it holds, if it can. So
+it is where a rope becomes taut or a stop is reached, which is an impact; see `joint_catches`.
+
+Bodies that take no part in a landing go on as they were.
+"""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from math import inf
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.drifts.drift_parts import (
+    DriftPart,
+    around,
+    concerned,
+    linked,
+    moving,
+)
+from sandbox.physics.contacts.direct.drifts.first_landing import until_first
+from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
+from sandbox.physics.contacts.direct.drifts.joint_catches import (
+    catch_time,
+    caught,
+    loose,
+    until_caught,
+)
+from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
+from sandbox.physics.contacts.direct.drifts.part_solver import PartSolver
+from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
+from sandbox.physics.contacts.direct.drifts.unlocated_landings import crowd
+from sandbox.physics.contacts.direct.kicks import coupled_impacts
+from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
+from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
+from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.solving.warm_start import recalled
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+SHORT = 0.1
+"""The share of a drift below which the forces of its last part are solved for a whole one: those of
+a short part follow from small differences of positions, and their rounding is traced far back."""
+
+LEAST = 0.06
+"""The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
+that turn far in it would gain energy on its curved path, by the third power of its length."""
+
+MOST = 16
+"""The most landings of one drift that are located. With more of them all bodies are a crowd."""
+
+CATCHES = 8
+"""The most times that one-sided joints catch in a drift that are located."""
+
+STOPS = 2
+"""The most ends of slips that are located in a drift."""
+
+AGAIN = 4
+"""The most times that a drift is followed anew, since more bodies take part in it."""
+
+
+class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more)
+    """Somebody takes part in a landing who should have been followed from the first one on."""
+
+
+class DriftCutter(PartSolver):
+    """Cuts a drift where bodies land in it; N bodies with the plane.
+
+    `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
+    at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
+    energy, and `stopped`, (n,), which bodies are in crowds that were stopped: they do not land.
+
+    `reached`, (n,), tells which bodies take part in landings, and `crowd`, (n,), which are in a
+    crowd: then nothing is located. `record` has what collided in them, and how hard.
+    """
+
+    def __init__(
+        self,
+        speculative: SpeculativeContacts,
+        build: KickBuilder,
+        laws: Array,
+        until: float,
+        *,
+        driven: bool,
+        stopped: Booleans,
+    ) -> None:
+        super().__init__(laws, until, driven=driven)
+        self._speculative, self._build, self._stopped = speculative, build, stopped
+        self._meetings = MeetingFinder(speculative, laws)
+        count = len(laws) // 3 - 1
+        self._anew = True
+        self._whole: DriftPart  # the drift
+        self.crowd: Booleans = np.zeros(count, dtype=bool)
+        self._begin(np.zeros(count, dtype=bool))
+
+    def follow(self, whole: DriftPart) -> list[DriftPart]:
+        """Return the parts of the drift after a kick: the drift itself if nothing lands.
+
+        Whoever takes part in a later landing has to be followed from the first one on, where other
+        bodies press on it. So then the drift is followed once more from its start.
+        """
+        joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole
+        try:
+            for _ in range(AGAIN):
+                with suppress(_Late):
+                    return self._parts(whole)
+                self._begin(self.reached | around(whole.kick, self._near))
+            self._anew = False
+            return self._parts(whole)
+        finally:
+            joints.time(kick, whole.drift)
+
+    def _begin(self, reached: Booleans) -> None:
+        """Begin a drift in whose landings some bodies, (n,), are known to take part."""
+        self.reached = reached
+        self._stops = self._catches = 0  # the ends of slips, and the catches, that were located
+        self._early: Booleans | None = None  # who takes part from the first landing on
+        self._near: list[Pair] = []  # who might take part
+        self.record = LandingRecord(len(reached))
+
+    def _take_in(self, bodies: Booleans) -> None:
+        """Note who takes part: (n,).
+
+        Raises `_Late` if some press on others, but did not take part from the first landing on.
+        """
+        self.reached = self.reached | bodies
+        if self._early is not None and self._anew:
+            late, whole = self.reached & ~self._early, self._whole
+            if np.count_nonzero(whole.forces[concerned(whole.kick, late)]):
+                raise _Late
+
+    def _parts(self, whole: DriftPart) -> list[DriftPart]:
+        """Return the parts of a drift."""
+        parts = [whole]
+        while len(parts) <= MOST and (found := self._cut(parts[-1], len(parts))):
+            parts[-1:] = found
+        if len(parts) > MOST:
+            self.crowd, parts = moving(whole.kick), [whole]
+        elif len(parts) > 1:
+            parts[-1] = self._lasting(parts[-1], whole.drift)
+        return parts
+
+    def _lasting(self, last: DriftPart, drift: float) -> DriftPart:
+        """Return the last part with forces that last for a whole drift [s].
+
+        They stay its own if other rows would be active then.
+        """
+        if last.drift >= SHORT * drift:
+            return last
+        try:
+            longer = self._solved(last, drift, drift / 2)
+        except (JointFailure, NoForces):
+            return last
+        return last._replace(lasting=longer.forces) if longer.active.equals(last.active) else last
+
+    def _cut(self, part: DriftPart, number: int) -> tuple[DriftPart, DriftPart] | None:
+        """Return a part, of a number, up to its first landing, and the rest; None without one."""
+        kick, known = part.kick, (self.reached, self._early)
+        free = self._loose(part)
+        stopped = self._until_it_stops(free)
+        kick.joints.time(part.drift, part.drift)
+        seen = stopped or free
+        ahead = self._meetings.ahead(seen, self._is_calm)
+        self._near += ahead.pairs
+        met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
+        catch = inf if free is part else catch_time(seen, self._laws, self._until, seen.drift)
+        met, catch = (None, catch) if met is None or catch < met.time else (met, inf)
+        sunk = [] if catch < inf else self._sunk(seen)
+        lands = met or stopped or sunk or catch < inf
+        if not lands or (met and self._is_crowd(part, met, number)):
+            self.reached = known[0]
+            return None
+        self._take_in(around(kick, [*(met.pairs if met else ()), *sunk]))
+        self._early = self.reached if self._early is None else self._early
+        try:
+            if met:
+                seen, met = until_first(seen, met, self._meetings, self._shortened)
+            elif catch < inf:
+                self._catches += 1
+                seen = until_caught(free, catch, self._laws, self._until, self._shortened)
+            elif stopped:
+                self._stops += 1
+            seen, met = self._kept(free, seen, met)
+            left = part.drift - seen.drift
+            if met and met.passing:
+                return seen, self._pass(seen, left, met, ahead.pairs)
+            return seen, self._land(seen, left, met, ahead.pairs)
+        except (JointFailure, NoForces):
+            self.reached, self._early = known  # it is found where the drift ends
+            return None
+
+    def _loose(self, part: DriftPart) -> DriftPart:
+        """Return a part in which no slack joint acts, if one catches in it; else the part."""
+        catches = caught(part)
+        if self._catches == CATCHES or not np.count_nonzero(catches):
+            return part
+        known, held = self.reached, part.kick.acts[part.kick.layout.joints][catches]
+        self.reached = known | linked(part.kick, np.asarray(held.any(axis=0)))
+        try:
+            return self._solved(loose(part), part.drift, part.lasts)
+        except (JointFailure, NoForces):
+            self.reached = known
+            return part
+
+    def _until_it_stops(self, part: DriftPart) -> DriftPart | None:
+        """Return a part up to where its first slip ends; None if none does."""
+        ends = slip_ends(part, self._laws)
+        ends = ends[~self._stopped[part.kick.layout.touching.sliding[:, ends]].any(axis=0)]
+        if not len(ends) or self._stops == STOPS:
+            return None
+        known, slides = self.reached, part.kick.layout.touching.sliding[:, ends]
+        self.reached = known | around(part.kick, slides.T.tolist())
+        if (stopped := until_it_stops(part, ends, self._laws, self._shortened)) is None:
+            self.reached = known
+        return stopped
+
+    def _is_crowd(self, part: DriftPart, met: FirstMeeting, number: int) -> bool:
+        """Return whether so many land that they are a crowd, left to `unlocated_landings`."""
+        begins = part.left >= self._whole.drift and not self._stopped.any()
+        self.crowd = crowd(part.kick, met, number, self._speculative.dull if begins else None)
+        return bool(self.crowd.any())
+
+    def _sunk(self, part: DriftPart) -> list[Pair]:
+        """Return the pairs of bodies because of which a part is divided."""
+        if part.drift <= LEAST * self._whole.drift:
+            return []
+        return part.sunk
+
+    def _is_calm(self, pair: Pair) -> bool:
+        """Return whether one of two bodies was stopped, and nothing has struck them since."""
+        both = [*pair]
+        return bool(self._stopped[both].any() and not self.reached[both].any())
+
+    def _kept(
+        self, part: DriftPart, shorter: DriftPart, met: FirstMeeting | None
+    ) -> tuple[DriftPart, FirstMeeting | None]:
+        """Return a part so short that its contacts keep their gaps, and what meets at its end."""
+        while self._sunk(shorter):
+            shorter, met = self._shortened(part, shorter.drift / 2, shorter), None
+        return shorter, met
+
+    def _land(
+        self, shorter: DriftPart, left: float, met: FirstMeeting | None, near: Sequence[Pair]
+    ) -> DriftPart:
+        """Return the part after a landing, of length `left` [s]; None where it is merely cut."""
+        place, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
+        if met:
+            down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
+            near = [pair for pair in near if pair not in met.pairs]
+        joints.time(left, left)
+        lengths = joints.lengths(self._until - left), joints.lengths(self._until)
+        rest = self._meetings.resting(shorter, near)
+        known = shorter.kick.contacts_at(place).and_(rest)
+        kick = self._build.anew(place, known.and_(down), lengths)
+        forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
+        self._take_in(around(kick, down.and_(rest).bodies.tolist()))
+        part = shorter._replace(kick=kick, forces=forces, active=active)
+        struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
+        catching = shorter.kick.slack & ~kick.slack
+        hits = met or catching.any()
+        arrives = self._struck if hits else self._arrived
+        begun, stages = arrives(part, struck, catching)[-2:]
+        after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
+        return self._closed(self._solved(after, left, left / 2))
+
+    def _pass(
+        self, shorter: DriftPart, left: float, met: FirstMeeting, near: Sequence[Pair]
+    ) -> DriftPart:
+        """Return the part after contacts pass the ends of sides, of length `left` [s]."""
+        place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
+        joints.time(left, left)
+        lengths = joints.lengths(self._until - left), joints.lengths(self._until)
+        ended = shorter._replace(kick=shorter.kick.between(place, *lengths))
+        _, begun, stages = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
+        beside = self._meetings.beside(ended, begun, met, near)
+        after, at_ends = ends.after(ended.kick, met.passing, begun)
+        known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
+        kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
+        self._take_in(around(kick, beside.bodies.tolist()))
+        forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
+        part = DriftPart(kick, left, left, begun, left / 2, forces, active, begun, stages)
+        return self._closed(self._solved(part, left, left / 2))
+
+    def _struck(
+        self, part: DriftPart, struck: Booleans, catching: Booleans
+    ) -> tuple[Array, tuple[Stage, ...]]:
+        """Return the velocities after the impact at the end of a part, and its stages.
+
+        The part already has the rows there; `struck` tells which of its gaps land, (k,), and
+        `catching` which of its joints catch, (m,).
+        """
+        some, came, before = self._arrived(part, struck, catching)
+        begun, pushes, pairs = coupled_impacts.bounce(some, came, struck, part.active)
+        stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
+        landed = part.kick.layout.touching.pair[struck]
+        time = self._whole.drift - part.left + part.drift
+        self.record.note(pairs, time, stages[1].contacts, landed)
+        return begun, stages
+
+    def _closed(self, part: DriftPart) -> DriftPart:
+        """Return a part in which corners have come down; see `closed`."""
+        return closed(part, self._speculative, self._build, self._laws, self._again)[0]
+
+    def _again(self, part: DriftPart, kick: Kick) -> DriftPart:
+        """Return a part, solved with more rows."""
+        forces, active = recalled(part.kick, part.forces, part.active, kick)
+        more = part._replace(kick=kick, forces=forces, active=active)
+        return self._solved(more, part.drift, part.lasts)

@@ -1,0 +1,168 @@
+"""The drifts and kicks of a scene: pymunk's own step, and the Python calls in it.
+
+pymunk's step drifts the positions with the velocities of the previous step, then kicks the
+velocities. Every call in a kick gets the kick as its argument: see `Kick`.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.private_handles import gravity_setter, stepper
+from sandbox.physics.scene.drift_and_kick import Substep, once
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.kick_context import Clock, Kick, Work
+from sandbox.physics.stepping.applied_forces import Forces
+from sandbox.physics.stepping.held_kicks import HeldKicks
+
+if TYPE_CHECKING:
+    from sandbox.physics.engine.step_hook import Hook
+
+
+class Kicks:
+    """Takes the drifts and kicks of a scene in steps of dt [s]; n bodies.
+
+    `touching` tells whether the level has contacts. `clock` counts the steps; the caller counts a
+    step before taking it. `take` takes the last drift of a step and its kick; `parts` are all its
+    drifts and kicks, see `compose`. `trail` has positions and velocities after each part but the
+    last, (n, 6) each; None unless kept. `settling` repeats kicks of held bodies until contacts
+    converge; None without contacts.
+    """
+
+    def __init__(self, scene: Scene, forces: Forces, dt: float, *, touching: bool) -> None:
+        self.clock, self.forces, self._scene = Clock(dt), forces, scene
+        self.trail: list[Array] | None = None
+        self._space, self._joints = scene.space, scene.joints
+        self._drift_and_kick, self._set_gravity = stepper(self._space), gravity_setter(self._space)
+        self._hook: Hook | None = None
+        placed = scene.direct is not None
+        self._held = HeldKicks(scene, self.finish, touching=touching, placed=placed)
+        self.settling = self._held.settling
+        self.compose([once(dt)])
+
+    def compose(self, parts: Sequence[Substep]) -> None:
+        """Compose all further steps of these drifts and kicks."""
+        self.parts, self._last = parts, parts[-1]
+        self._kicks = [
+            Kick(self.clock, part.ahead, part.kick, part.following, scale=part.scale)
+            for part in parts
+        ]
+        quietly = partial(self._drift_and_kick, self._last.drift)
+        self.take = self._calling(self._hook) if self._hook else quietly
+        if self._joints.together:
+            self._joints.together.parts = len(parts)
+
+    def call(self, in_kick: Sequence[Work], after_kick: Sequence[Work]) -> None:
+        """Call Python in all further kicks: before pymunk's kick, and after its solver."""
+        bodies = self._scene.bodies.values()
+        dynamic = next((b for b in bodies if b.body_type == pymunk.Body.DYNAMIC), None)
+        if dynamic is not None and (in_kick or after_kick):
+            from sandbox.physics.engine.step_hook import Hook
+
+            self._hook = Hook(self._space, dynamic, in_kick, after_kick)
+            self.take = self._calling(self._hook)
+
+    def _calling(self, hook: "Hook") -> Callable[[], None]:
+        """Return a function that takes the last drift of a step and its kick, with Python calls.
+
+        It raises errors from these calls.
+        """
+        last, drift_and_kick = self._last, self._drift_and_kick
+        kick = replace(self._kicks[-1], ahead=0)
+
+        def take() -> None:
+            hook.kick = kick
+            drift_and_kick(last.drift)
+            hook.finish()
+
+        return take
+
+    def lead(self) -> None:
+        """Take all drifts and kicks of a step but the last."""
+        if self.trail is not None:
+            self.trail = []
+        for part, kick in zip(self.parts[:-1], self._kicks, strict=False):
+            self._turn_to(part, kick)
+            self._drift_and_kick(part.drift)
+            self.finish()
+            if self.trail is not None:
+                self.trail.append(self._scene.batch.state())
+        self._turn_to(self._last, self._kicks[-1])
+
+    def _turn_to(self, part: Substep, kick: Kick) -> None:
+        """Prepare the kick of a part of a step."""
+        self._joints.time(part.kick, part.following)
+        if gravity := self._scene.gravity:
+            x, y = gravity.acceleration
+            self._set_gravity((x * part.scale, y * part.scale))
+        if self._hook:
+            self._hook.kick = kick
+
+    def held(self, *, first: bool = False) -> AbstractContextManager[None]:
+        """Hold all bodies in place, between two steps or before the `first`; see `settle`."""
+        return self._held.held(first=first)
+
+    @contextmanager
+    def tried(self) -> Iterator[None]:
+        """Hold all bodies for trial kicks, which leave no trace."""
+        with self.forces.tried(), self._held.held():
+            yield
+        self._joints.time(self.clock.dt, self.clock.dt)
+
+    def settle(
+        self, ahead: float, start: Array, length: float, drift: float, *, at_step: bool = False
+    ) -> Array:
+        """Kick the held bodies until convergence, and return their velocities: (n, 3).
+
+        `ahead` is the time since the last step, in steps, and `start`, (n, 3), are the velocities
+        before the kick [m/s, rad/s]; `length` and `drift` are the lengths of the kick and of the
+        drift that would follow [s]. The velocities are those at the time of the kick if `at_step`
+        or if `ahead` is 0, else half a kick old.
+        """
+        ends, at_step = drift / self.clock.dt, at_step or ahead == 0
+        kick = Kick(self.clock, ahead, length, drift, ends, start=start, at_step=at_step)
+        self._joints.time(length, drift)
+        if self._hook:
+            self._hook.kick = kick
+        return self._held.kick(kick, self.forces.smooth)
+
+    def begin(self, length: float, start: Array) -> Array:
+        """Take the first kick, half the last kick of a step; return the velocities after it."""
+        if gravity := self._scene.gravity:
+            self._space.gravity = gravity.acceleration
+        return self.settle(0, start, length, self._last.following)
+
+    def keep_trail(self) -> None:
+        """Keep the trail of every step from now on."""
+        if self.trail is None:  # another ledger may keep it already
+            self.trail = []
+
+    def finish(self) -> None:
+        """Complete a kick of pymunk's, and raise errors from it."""
+        if self._hook:
+            self._hook.finish()
+
+    @property
+    def composed(self) -> bool:
+        """Whether a step has several drifts and kicks."""
+        return len(self.parts) > 1
+
+    @property
+    def calls(self) -> int:
+        """The number of Python calls in the kicks of a step."""
+        return (self._hook.count if self._hook else 0) * len(self.parts)
+
+    def time_calls(self) -> None:
+        """Measure the time of these calls from now on."""
+        if self._hook:
+            self._hook.timed()
+
+    @property
+    def seconds(self) -> float:
+        """The time of these calls since `time_calls` [s]."""
+        return self._hook.seconds if self._hook else 0.0

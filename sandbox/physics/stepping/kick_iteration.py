@@ -1,0 +1,88 @@
+"""Kicks that are repeated until contacts and strings have converged.
+
+pymunk solves contacts and then strings, in turn, so one kick leaves a small residual. Each
+repetition begins with the same velocities, and with the impulses of the one before.
+"""
+
+from collections.abc import Callable, Sequence
+from math import inf
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.cancellation_points import cancellation_point
+from sandbox.physics.state.kick_context import Kick
+
+MAX_KICKS = 500
+"""The most repetitions of a kick."""
+
+PATIENCE = 50
+"""The number of kicks without convergence after which the sweeps of the solver are doubled."""
+
+UNSETTLED = 1000
+"""The change of velocities that counts as not converged, as a multiple of rounding."""
+
+LULL = 10
+"""The number of kicks in which a small change that does not halve counts as cyclic rounding."""
+
+MAX_SWEEPS = 5000
+"""The most sweeps of such a kick times the pairs in contact, which bounds its time."""
+
+
+class Settling:
+    """Repeats kicks of the n bodies of a scene, which are held in place.
+
+    `placed` tells whether contacts are solved for the positions after the drift, not for
+    velocities; `unsettled`, whether contacts and strings did not converge in the last repetition.
+    """
+
+    def __init__(self, scene: Scene, *, placed: bool) -> None:
+        self._space, self._batch, self._placed = scene.space, scene.batch, placed
+        self._bodies = [b for b in scene.bodies.values() if b.body_type != pymunk.Body.STATIC]
+        self.unsettled = False
+
+    def repeat(self, once: Callable[[], Array], kick: Kick, smooth: Array) -> Array:
+        """Repeat a kick, and return the velocities after the last one: (n, 3).
+
+        `once` takes the kick, from the same velocities each time, and returns those after it;
+        `kick` and `smooth` are those of `HeldKicks.kick`.
+        """
+        close, near = self._tolerances(kick, smooth)
+        swept, after = self._space.iterations, once()
+        changes = [inf]
+        for count in range(1, MAX_KICKS):
+            cancellation_point()
+            previous, after = after, once()
+            changes.append(float(np.abs(after - previous).max(initial=0.0)))
+            if changes[-1] <= close or _circles(changes[-2 * LULL :], near):
+                break
+            if count % PATIENCE == PATIENCE - 1 and changes[-1] > near:
+                most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
+                self._space.iterations = max(min(2 * self._space.iterations, most), swept)
+        self._space.iterations = swept
+        self.unsettled = changes[-1] > near
+        return after
+
+    def _tolerances(self, kick: Kick, smooth: Array) -> tuple[float, float]:
+        """Return the changes of velocities due to rounding, and due to cyclic rounding."""
+        assert kick.start is not None
+        pulled = kick.length * np.abs(smooth).max(initial=0.0)
+        close = 1e-15 * float(pulled or np.abs(kick.start).max(initial=0.0))
+        near = UNSETTLED * close
+        if self._placed:
+            from sandbox.physics.contacts.direct.solving.rounding_residual import (
+                left_of_places,
+                spread,
+            )
+
+            left = left_of_places(self._batch.state()[:, :3], self._bodies, kick.drift)
+            near = max(near * spread(self._bodies), left)
+        return close, near
+
+
+def _circles(changes: Sequence[float], near: float) -> bool:
+    """Return whether the changes are near rounding, and no longer decrease."""
+    before, now = changes[:LULL], changes[LULL:]
+    return len(now) == LULL and max(now) <= near and min(now) >= min(before) / 2
