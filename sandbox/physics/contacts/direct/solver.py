@@ -56,8 +56,7 @@ class DirectSolver:
     turn [kg, kg m²]; `dt` is the time step [s].
 
     `last` are the impacts of the last kick, with the impulses of landings in the drift before it;
-    `stages` are its stages, if it had impacts, else empty. `drifts` are the drifts before and after
-    it.
+    `stages` are its stages, if it had impacts, else empty. `drifts` are those before and after it.
     """
 
     def __init__(
@@ -107,8 +106,7 @@ class DirectSolver:
             self.drifts.forget()
         else:
             self._crowd = None
-        self._begun, self._acceleration = self.velocity(), acceleration
-        self._starts = start
+        self._begun, self._acceleration, self._starts = self.velocity(), acceleration, start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 
     def velocity(self) -> Array:
@@ -348,6 +346,5 @@ class DirectSolver:
         First the normal ones, then friction. The torque about the centre of mass shows where
         between its two points a side bears.
         """
-        if self._solved is None:
-            return np.zeros((2, 0, 3))
-        return self._solved[0].wrenches(self._solved[1], body)
+        solved = self._solved
+        return solved[0].wrenches(solved[1], body) if solved else np.zeros((2, 0, 3))
