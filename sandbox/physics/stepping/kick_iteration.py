@@ -27,6 +27,10 @@ UNSETTLED = 1000
 LULL = 10
 """The number of kicks in which a small change that does not halve counts as cyclic rounding."""
 
+DIRECT_LULL = 2
+"""The same where contacts and joints are solved directly, all at once: only rounding is left after
+the first kick, and where bodies land in the drift, each repetition locates all that anew."""
+
 MAX_SWEEPS = 5000
 """The most sweeps of such a kick times the pairs in contact, which bounds its time."""
 
@@ -40,6 +44,7 @@ class Settling:
 
     def __init__(self, scene: Scene, *, placed: bool) -> None:
         self._space, self._batch, self._placed = scene.space, scene.batch, placed
+        self._lull = DIRECT_LULL if scene.direct else LULL
         self._bodies = [b for b in scene.bodies.values() if b.body_type != pymunk.Body.STATIC]
         self.unsettled = False
 
@@ -56,7 +61,7 @@ class Settling:
             cancellation_point()
             previous, after = after, once()
             changes.append(float(np.abs(after - previous).max(initial=0.0)))
-            if changes[-1] <= close or _circles(changes[-2 * LULL :], near):
+            if changes[-1] <= close or self._circles(changes[-2 * self._lull :], near):
                 break
             if count % PATIENCE == PATIENCE - 1 and changes[-1] > near:
                 most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
@@ -81,8 +86,7 @@ class Settling:
             near = max(near * spread(self._bodies), left)
         return close, near
 
-
-def _circles(changes: Sequence[float], near: float) -> bool:
-    """Return whether the changes are near rounding, and no longer decrease."""
-    before, now = changes[:LULL], changes[LULL:]
-    return len(now) == LULL and max(now) <= near and min(now) >= min(before) / 2
+    def _circles(self, changes: Sequence[float], near: float) -> bool:
+        """Return whether the changes are near rounding, and no longer decrease."""
+        before, now = changes[: self._lull], changes[self._lull :]
+        return len(now) == self._lull and max(now) <= near and min(now) >= min(before) / 2

@@ -24,7 +24,8 @@ class KickBuilder:
     `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved;
     `moves`, (n,), tells which are dynamic. `known` is the warm start, for the correction of
     overlaps. `contacts` are those of the present kick, and `shift`, (n, 3), are the displacements
-    by the correction of overlaps in this step [m, rad].
+    by the correction of overlaps in this step [m, rad]; `corrects` tells whether it is made: once
+    for a kick that is repeated.
     """
 
     def __init__(
@@ -47,6 +48,7 @@ class KickBuilder:
         self._overlaps = OverlapCorrection(surfaces, known)
         self.contacts: Contacts = NO_CONTACTS
         self.shift = self._still
+        self.corrects = True
 
     def find_contacts(self, moved: Callable[[], Array]) -> None:
         """Take the contacts that pymunk has found, without the false ones.
@@ -96,7 +98,7 @@ class KickBuilder:
         """
         place, _ = self._joints.coordinates()
         kick = self.at(place)
-        way = self._overlaps.way(kick, leaving)
+        way = self._overlaps.way(kick, leaving) if self.corrects else None
         if way is None:
             return kick
         state = self._batch.state()
