@@ -28,6 +28,11 @@ MOST_PILED = 50
 """The most moving bodies of a level without joints whose contacts are solved directly by default. A
 wall of 46 bricks takes 14 ms a step, a pour of 30 discs 40 ms; one of 60 takes 0.3 s."""
 
+UNEQUAL = 3
+"""The ratio of masses from which on sweeps do not settle an impact. Of a heavy disc that drives a
+light one into a wall without rebound, they leave 7e-4 of the energy unexplained at 3 : 1, 4 % at
+10 : 1 and 50 % at 1000 : 1."""
+
 
 def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether contacts are solved directly, together with the exact joints.
@@ -53,16 +58,21 @@ def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
 def _may_press(level: Level, contact: Contact) -> bool:
     """Whether bodies may press on each other, few enough move, and pymunk finds the impacts.
 
-    On springs one body is enough. Without joints there must be a second one, and a force: a gas is
-    not pressed, and what rests on immovable bodies alone needs only a few sweeps. They also part
-    bodies that overlap at the start.
+    On springs one body is enough. Without joints there must be a second one, and a force or, at the
+    default parameters, a much larger mass: a gas of equal discs is not pressed, and what rests on
+    immovable bodies alone needs only a few sweeps. They also part bodies that overlap at the start.
     """
     if contact.located or contact.overlaps or level.effects.in_sequence:
         return False
-    moving = sum(body.type == "dynamic" for body in level.bodies.values())
+    masses = [
+        b.mass(level.defaults) for b in level.bodies.values() if b.type == "dynamic" and b.mass
+    ]
     if level.joints:
-        return moving <= MOST_SPRUNG
-    return 1 < moving <= MOST_PILED and any(e.is_force for e in level.effects.declarations)
+        return len(masses) <= MOST_SPRUNG
+    if not 1 < len(masses) <= MOST_PILED:
+        return False
+    forced = any(effect.is_force for effect in level.effects.declarations)
+    return forced or max(masses) > UNEQUAL * min(masses)
 
 
 def may_be_direct(level: Level) -> bool:

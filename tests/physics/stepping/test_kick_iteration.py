@@ -37,7 +37,7 @@ def test_an_overlap_is_corrected_once_however_often_its_kick_is_repeated() -> No
 def test_what_is_solved_directly_is_not_kicked_on_for_rounding(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """At the start of two capstans nothing but rounding changed from the second kick to the 20th."""
+    """At the start of two capstans only rounding changed from the second kick to the 20th."""
     solved = []
     solve = DirectSolver.solve
 
