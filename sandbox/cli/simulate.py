@@ -8,7 +8,7 @@ import typer
 from rich.console import Console
 
 from sandbox.app.words import formatting as telling
-from sandbox.cli import argument_parsing, check_verdicts, effect_options
+from sandbox.cli import argument_parsing, check_report, effect_options
 from sandbox.cli.accuracy_option import Choice, asking, settled
 from sandbox.cli.effect_options import Varied, vary
 from sandbox.model.expressions import Values
@@ -138,7 +138,7 @@ def report(trace: Trace) -> int:
     Checks apply to the level's own duration: anything later is not graded, and a shorter run is
     graded as far as it goes.
     """
-    for line in check_verdicts.challenge_lines(trace):
+    for line in check_report.challenge_lines(trace):
         typer.echo(line)
     if not trace.level.checks:
         typer.echo("the level states no checks")
@@ -146,10 +146,10 @@ def report(trace: Trace) -> int:
     duration = trace.level.duration(trace.values)
     complete = trace.complete
     results = grade(trace.until(duration))
-    for line in check_verdicts.lines(results, complete=complete):
+    for line in check_report.lines(results, complete=complete):
         typer.echo(line)
     if not complete:
         typer.echo(
             f"the run is shorter than the level's {duration:.6g} s: graded as far as it goes"
         )
-    return int(any(check_verdicts.failed(result, complete=complete) for result in results))
+    return int(any(check_report.failed(result, complete=complete) for result in results))

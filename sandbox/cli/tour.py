@@ -10,7 +10,7 @@ from rich.progress import Progress
 from rich.table import Table
 from rich.text import Text
 
-from sandbox.cli import argument_parsing, check_verdicts
+from sandbox.cli import argument_parsing, check_report
 from sandbox.cli.render import go_headless
 from sandbox.cli.tour_visit import Visit
 from sandbox.model import level_catalog
@@ -48,7 +48,7 @@ def _article(visit: Visit) -> str:
     ]
     if visit.picture:
         parts.append(f'<img src="{escape(visit.picture)}" alt="{escape(title)}" loading="lazy">')
-    found = list(check_verdicts.lines(visit.results, complete=True))
+    found = list(check_report.lines(visit.results, complete=True))
     if visit.closing:
         found.append(f"energy: {visit.closing.text}")
     said = visit.error or "\n".join(found)
@@ -104,7 +104,7 @@ def _table(visits: "list[Visit]") -> Table:
         table.add_column(title, justify="right", no_wrap=True)
     table.add_column("verdict")
     for visited in visits:
-        worst = check_verdicts.worst(visited.results)
+        worst = check_report.worst(visited.results)
         table.add_row(
             visited.name,
             str(len(visited.results)),
@@ -131,5 +131,5 @@ def _explain(visited: "Visit") -> None:
         typer.echo(f"{visited.name}: {visited.error}", err=True)
     if visited.failures:
         typer.echo(f"{visited.name}:", err=True)
-        for line in check_verdicts.lines(visited.failures, complete=True):
+        for line in check_report.lines(visited.failures, complete=True):
             typer.echo(f"  {line}", err=True)

@@ -5,7 +5,7 @@ from pathlib import Path
 from time import perf_counter
 
 from sandbox.app.level_picture import save_picture
-from sandbox.cli import check_verdicts
+from sandbox.cli import check_report
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -40,7 +40,7 @@ class Visit:
     @property
     def failures(self) -> tuple[Result, ...]:
         """The checks that failed."""
-        return tuple(r for r in self.results if check_verdicts.failed(r, complete=True))
+        return tuple(r for r in self.results if check_report.failed(r, complete=True))
 
     @property
     def passed(self) -> bool:

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping
 
-from sandbox.editing.formula_edits import shifted
+from sandbox.editing.formula_arithmetic import shifted
 from sandbox.editing.json_layout import Json
 from sandbox.editing.placed_bodies import PlacedBody, placed, xy
 from sandbox.editing.text_patches import Changes, put_all

@@ -5,7 +5,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 
 from sandbox.editing.cleanup_after_edit import accepted
-from sandbox.editing.formula_edits import renamed
+from sandbox.editing.formula_arithmetic import renamed
 from sandbox.editing.json_spans import Spans
 from sandbox.editing.text_patches import spliced
 from sandbox.model.base import NAME

@@ -11,7 +11,7 @@ from typing import Any
 
 from sandbox.editing.cleanup_after_edit import without_meaning
 from sandbox.editing.expanded_level import plain
-from sandbox.editing.formula_edits import renamed
+from sandbox.editing.formula_arithmetic import renamed
 from sandbox.editing.json_layout import plain as rounded
 from sandbox.model import level_writing
 from sandbox.model.body import Body

@@ -10,10 +10,10 @@ from functools import partial
 
 import numpy as np
 
+from sandbox.model.contact_solver_choice import may_be_direct
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.solver_choice import may_be_direct
 from sandbox.physics.accuracy.calibration_cache import resolved
 from sandbox.physics.accuracy.compared_runs import lasting
 from sandbox.physics.energy.book_closure import Closer

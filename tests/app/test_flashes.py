@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.app.observing.impacts import FAINTEST, MOST, RecordedImpact
 from sandbox.app.pages.settings.panel import SettingsPage
-from sandbox.app.runs.playback import FADING
+from sandbox.app.runs.run_player import FADING
 from sandbox.app.runs.session import Session
 from tests.app.person import Person
 from tests.app.scenes import opened

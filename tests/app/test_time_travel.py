@@ -9,7 +9,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.observing.impacts import RecordedImpact
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.panels.play_bar import Controls, notes
-from sandbox.app.runs import playback
+from sandbox.app.runs import run_player
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model.errors import SandboxError
@@ -182,8 +182,8 @@ def test_what_was_put_elsewhere_before_the_start_still_is_after_the_way_back_to_
 
 def slowly(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let a way back take more than a frame from now on."""
-    monkeypatch.setattr(playback, "AT_ONCE", 0.0)  # s
-    monkeypatch.setattr(playback, "ON_THE_WAY", 1e-4)  # s: a few steps
+    monkeypatch.setattr(run_player, "AT_ONCE", 0.0)  # s
+    monkeypatch.setattr(run_player, "ON_THE_WAY", 1e-4)  # s: a few steps
 
 
 def test_what_was_recorded_is_shown_before_a_long_way_is_done(

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from sandbox.editing.draft import Draft
-from sandbox.editing.edits import bodies, transforms
+from sandbox.editing.edits import bodies, moving_and_aligning
 from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.resizing import drag_handle
@@ -45,7 +45,7 @@ def told(text: str, proposed: Edits) -> list[str]:
 
 
 def move(name: str, *by: float) -> Proposed[str]:
-    return Proposed(partial(transforms.move, names=[name], by=(by[0], by[1])), [name])
+    return Proposed(partial(moving_and_aligning.move, names=[name], by=(by[0], by[1])), [name])
 
 
 def test_a_body_that_is_moved_into_another_overlaps_it() -> None:
@@ -55,7 +55,7 @@ def test_a_body_that_is_moved_into_another_overlaps_it() -> None:
 
 
 def test_a_body_that_is_moved_away_overlaps_nothing_although_it_did() -> None:
-    text = transforms.move(scene(), parse(scene()), ["disc1"], (1.75, 0.5))
+    text = moving_and_aligning.move(scene(), parse(scene()), ["disc1"], (1.75, 0.5))
     assert told(text, move("disc1", -1, 0)) == []
 
 
@@ -74,8 +74,8 @@ def test_a_body_grows_into_another() -> None:
 
 
 def test_a_turned_body_overlaps_what_it_lay_on() -> None:
-    text = transforms.move(scene(), parse(scene()), ["box1"], (0, -3))
-    turn = partial(transforms.turn, names=["box1"], angle=0.3)
+    text = moving_and_aligning.move(scene(), parse(scene()), ["box1"], (0, -3))
+    turn = partial(moving_and_aligning.turn, names=["box1"], angle=0.3)
     assert "'box1' and 'ground' overlap" in told(text, Proposed(turn, ["box1"]))[0]
 
 
@@ -142,7 +142,7 @@ def test_more_bodies_than_can_be_looked_at_in_a_frame_are_left_to_the_edit() -> 
         for i, name in enumerate(names)
     }
     text = put_all(text, made)
-    all_moved = Proposed(partial(transforms.move, names=names, by=(0, 1)), names)
+    all_moved = Proposed(partial(moving_and_aligning.move, names=names, by=(0, 1)), names)
     assert Foresight(json.loads(text), parse(text)).of(all_moved) is None
 
 

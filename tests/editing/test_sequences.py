@@ -17,11 +17,11 @@ from sandbox.editing.edits import (
     field_values,
     joints,
     mirroring,
+    moving_and_aligning,
     pendulum_angle,
     resizing,
     rope_wrapping,
     slope_angle,
-    transforms,
 )
 from sandbox.editing.expanded_level import plain
 from sandbox.editing.renaming import rename
@@ -95,23 +95,23 @@ def taken_out(text: str, hand: Hand) -> str:
 
 
 def moved(text: str, hand: Hand) -> str:
-    return transforms.move(text, hand.level, hand.bodies(), hand.point())
+    return moving_and_aligning.move(text, hand.level, hand.bodies(), hand.point())
 
 
 def snapped(text: str, hand: Hand) -> str:
     names = hand.bodies()
     way = snap_body(hand.level, names, hand.point(), 0.5, 0.25)
-    return transforms.move(text, hand.level, names, way.point)
+    return moving_and_aligning.move(text, hand.level, names, way.point)
 
 
 def turned(text: str, hand: Hand) -> str:
-    return transforms.turn(text, hand.level, hand.bodies(), hand.number())
+    return moving_and_aligning.turn(text, hand.level, hand.bodies(), hand.number())
 
 
 def aligned(text: str, hand: Hand) -> str:
     if hand.number() > 0:
-        return transforms.align(text, hand.level, hand.bodies(), "left")
-    return transforms.distribute(text, hand.level, hand.bodies(), "y")
+        return moving_and_aligning.align(text, hand.level, hand.bodies(), "left")
+    return moving_and_aligning.distribute(text, hand.level, hand.bodies(), "y")
 
 
 def resized(text: str, hand: Hand) -> str:

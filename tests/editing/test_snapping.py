@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_disc, add_polygon, add_surface
-from sandbox.editing.edits.transforms import move, turn
+from sandbox.editing.edits.moving_and_aligning import move, turn
 from sandbox.editing.placed_bodies import placed
 from sandbox.editing.snapping import flat_turn, grid_step, snap_body, snap_point
 from sandbox.model.loading import parse

@@ -8,8 +8,8 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import take_out
 from sandbox.editing.edits.copying import duplicate
 from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.moving_and_aligning import move
 from sandbox.editing.edits.resizing import drag_handle
-from sandbox.editing.edits.transforms import move
 from sandbox.editing.renaming import rename
 from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError

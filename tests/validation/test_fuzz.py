@@ -27,6 +27,7 @@ from validation.fuzz import command, isolated_trial
 from validation.fuzz.atheris_process import Choices
 from validation.fuzz.command import Findings, made, shrunk
 from validation.fuzz.coverage_guided_levels import guided
+from validation.fuzz.input_repair import mended
 from validation.fuzz.isolated_trial import (
     ENDED,
     NO_ANSWER,
@@ -40,7 +41,6 @@ from validation.fuzz.isolated_trial import (
     Tried,
     attempt,
 )
-from validation.fuzz.level_repair import mended
 from validation.fuzz.mutated_levels import places
 from validation.fuzz.schema_grammar import Grammar
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.expressions import Array
-from sandbox.model.solver_choice import is_direct
 from validation.compose.body_distances import Couple
 from validation.compose.recorded_run import Course
 

@@ -45,7 +45,7 @@ def main() -> None:
     atheris = importlib.import_module("atheris")
     with atheris.instrument_imports(include=["sandbox"]):
         from validation.fuzz import isolated_trial
-        from validation.fuzz.level_repair import answered
+        from validation.fuzz.input_repair import answered
         from validation.fuzz.random_shorthand import drawn_level
     isolated_trial.load_libraries()
     numbers = count()

@@ -19,8 +19,8 @@ from sandbox.model.file_writing import folder_of_files, write_atomically
 from validation import output
 from validation.environment import environment
 from validation.fuzz.coverage_guided_levels import available, guided
+from validation.fuzz.input_repair import answered
 from validation.fuzz.isolated_trial import Trial, Tried
-from validation.fuzz.level_repair import answered
 from validation.fuzz.mutated_levels import places
 from validation.fuzz.random_shorthand import drawn_level
 

@@ -6,10 +6,10 @@ from functools import partial
 from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.words.language import later, say
-from sandbox.editing.edits import transforms
+from sandbox.editing.edits import moving_and_aligning
 from sandbox.editing.edits.mirroring import mirror
+from sandbox.editing.edits.moving_and_aligning import Side
 from sandbox.editing.edits.rope_wrapping import drum_of, wrap
-from sandbox.editing.edits.transforms import Side
 from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -38,11 +38,11 @@ def arrangements(work: EditedLevel) -> list[ButtonAction]:
     across, upwards = say("the same gaps, from left to right"), say("the same gaps, upwards")
     several = [
         *(
-            _arranging(work, say(caption), aligned, transforms.align, side=side)
+            _arranging(work, say(caption), aligned, moving_and_aligning.align, side=side)
             for caption, side in SIDES.items()
         ),
-        _arranging(work, say("Spread across"), across, transforms.distribute, axis="x"),
-        _arranging(work, say("Spread upwards"), upwards, transforms.distribute, axis="y"),
+        _arranging(work, say("Spread across"), across, moving_and_aligning.distribute, axis="x"),
+        _arranging(work, say("Spread upwards"), upwards, moving_and_aligning.distribute, axis="y"),
     ]
     return [
         *_rope(work, names),
@@ -85,12 +85,12 @@ def _flat(work: EditedLevel) -> ButtonAction:
 
 def _lay_flat(text: str, level: Level, names: Sequence[str], reach: float) -> str:
     (name,) = names
-    turned = transforms.turn(text, level, names, flat_turn(level, name, reach))
+    turned = moving_and_aligning.turn(text, level, names, flat_turn(level, name, reach))
     lying = parse(turned)
     found = snap_body(lying, names, (0.0, 0.0), reach)
     if found.kind != "contact":
         raise SandboxError("nothing that '{name}' could lie on is near; move it closer", name=name)
-    return transforms.move(turned, lying, names, found.point)
+    return moving_and_aligning.move(turned, lying, names, found.point)
 
 
 def _arranging(

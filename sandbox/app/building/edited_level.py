@@ -11,7 +11,7 @@ from sandbox.app.drawing.camera import Camera
 from sandbox.app.words.language import later, say
 from sandbox.editing import suggested_checks
 from sandbox.editing.draft import Draft
-from sandbox.editing.edits import bodies, copying, grouping, transforms
+from sandbox.editing.edits import bodies, copying, grouping, moving_and_aligning
 from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.expanded_level import plain
 from sandbox.model.comments import members
@@ -197,7 +197,9 @@ class EditedLevel:
         step, names = self.snapping.grid * share, self.chosen
         by = across * step, upwards * step
         if names:
-            self.change(say("move"), lambda t, level: transforms.move(t, level, names, by), "nudge")
+            self.change(
+                say("move"), lambda t, level: moving_and_aligning.move(t, level, names, by), "nudge"
+            )
 
     def copy(self) -> None:
         """Copy the selected bodies, with the joints among them."""

@@ -5,7 +5,7 @@ from typing import Annotated
 
 from pydantic import Field, TypeAdapter
 
-from sandbox.app.files import user_data
+from sandbox.app.files import json_files
 from sandbox.app.words.language import say
 from sandbox.model.file_writing import data_folder
 
@@ -35,9 +35,9 @@ class Progress:
         if stars <= self.stars(title):
             return ""
         self._stars = {**_read(), **self._stars, title: stars}  # with those of other windows
-        why = user_data.keep(file(), _STARS, self._stars)
+        why = json_files.keep(file(), _STARS, self._stars)
         return say("the stars could not be saved: {why}", why=why) if why else ""
 
 
 def _read() -> dict[str, int]:
-    return user_data.read(file(), _STARS, {})
+    return json_files.read(file(), _STARS, {})

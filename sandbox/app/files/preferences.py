@@ -6,7 +6,7 @@ from typing import Annotated
 from pydantic import AfterValidator, BaseModel, ConfigDict, TypeAdapter
 
 from sandbox.app.drawing.theme import DARK, NAMES, Name
-from sandbox.app.files import user_data
+from sandbox.app.files import json_files
 from sandbox.app.words.language import Name as Language
 from sandbox.app.words.language import of_system, say
 from sandbox.model.file_writing import data_folder
@@ -61,7 +61,7 @@ class WindowPreferences:
 
     def __init__(self, desktop: int = 0) -> None:
         usual = Preferences()
-        self.chosen = user_data.read(file(), _KIND, usual)
+        self.chosen = json_files.read(file(), _KIND, usual)
         """The current settings; every change replaces the object."""
         self.unreadable = self.chosen is usual and file().exists()
         """Whether there are saved settings that cannot be read."""
@@ -92,7 +92,7 @@ class WindowPreferences:
     def choose(self, **changes: object) -> str:
         """Change settings and save them; return why that fails, else an empty string."""
         self.chosen = _KIND.validate_python({**self.chosen.model_dump(), **changes})
-        why = user_data.keep(file(), _KIND, self.chosen)
+        why = json_files.keep(file(), _KIND, self.chosen)
         return say("the settings could not be saved: {why}", why=why) if why else ""
 
     def resize(self, direction: int) -> str:

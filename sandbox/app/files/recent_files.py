@@ -5,7 +5,7 @@ from pathlib import Path
 
 from pydantic import TypeAdapter
 
-from sandbox.app.files import user_data
+from sandbox.app.files import json_files
 from sandbox.app.words.language import later, say
 from sandbox.model.file_writing import data_folder
 
@@ -36,11 +36,11 @@ class Recent:
             return ""
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
         others = [each for each in _read() if each != str(path)]  # with those of other windows
-        why = user_data.keep(file(), _PATHS, [str(path), *others][:MOST])
+        why = json_files.keep(file(), _PATHS, [str(path), *others][:MOST])
         message = later("the list of recent files could not be saved: {why}")
         return say(message, why=why) if why else ""
 
 
 def _read() -> list[str]:
-    found = user_data.read(file(), _PATHS, [])
+    found = json_files.read(file(), _PATHS, [])
     return [path for path in found if "\0" not in path and Path(path).is_absolute()][:MOST]

@@ -6,7 +6,7 @@ from contextlib import suppress
 from sandbox.app.observing.forces_on_selection import SelectedBody
 from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.playback import AT_ONCE, Playback
+from sandbox.app.runs.run_player import AT_ONCE, Playback
 from sandbox.app.runs.run_start import Beginning, at_rate, begin
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError, ValueRangeError

@@ -18,7 +18,7 @@ from sandbox.model.level import (
 )
 from sandbox.model.levels_with_changed_effects import Variation, shown
 from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.accuracy.candidate_settings import Offer
+from sandbox.physics.accuracy.offered_settings import Offer
 from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS, Trust, surviving
 from sandbox.physics.measuring.goals import Outcome
 from sandbox.physics.measuring.run_comparison import Difference

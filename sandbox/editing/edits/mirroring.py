@@ -4,7 +4,7 @@ from collections.abc import Collection
 from typing import Literal
 
 from sandbox.editing.attached_bodies import attached
-from sandbox.editing.formula_edits import negative, shifted
+from sandbox.editing.formula_arithmetic import negative, shifted
 from sandbox.editing.json_layout import Json
 from sandbox.editing.placed_bodies import around, chosen
 from sandbox.editing.text_patches import Changes, put_all

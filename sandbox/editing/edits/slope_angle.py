@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits.field_values import parameter_name
-from sandbox.editing.formula_edits import rounded, sum_of
+from sandbox.editing.formula_arithmetic import rounded, sum_of
 from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placed_bodies import PlacedBody, distance, placed, xy
 from sandbox.editing.text_patches import Changes, put_all

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from sandbox.model.expressions import Values
 from sandbox.model.level import FINEST, Level
 from sandbox.model.translatable_message import Message, both
-from sandbox.physics.accuracy.candidate_settings import REAL_TIME, Offer
 from sandbox.physics.accuracy.chaos_detection import chaotic, foretold
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, watched
 from sandbox.physics.accuracy.exceptions import AccuracyError
+from sandbox.physics.accuracy.offered_settings import REAL_TIME, Offer
 from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.accuracy.setting_search import SearchResult, Seeker
 from sandbox.physics.measuring.grading import applies

@@ -13,11 +13,10 @@ from math import log2
 from time import thread_time
 from typing import Literal
 
+from sandbox.model.contact_solver_choice import is_direct, may_be_direct
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
 from sandbox.model.scheme_requirements import unsmooth
-from sandbox.model.solver_choice import is_direct, may_be_direct
-from sandbox.physics.accuracy.candidate_settings import Candidate, Offer, Offers
 from sandbox.physics.accuracy.compared_runs import (
     Stop,
     Watched,
@@ -29,6 +28,7 @@ from sandbox.physics.accuracy.compared_runs import (
 )
 from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocities
 from sandbox.physics.accuracy.exceptions import AccuracyError
+from sandbox.physics.accuracy.offered_settings import Candidate, Offer, Offers
 from sandbox.physics.accuracy.refinement_search import (
     FEWEST,
     Progress,

@@ -12,11 +12,11 @@ from math import ceil
 from time import process_time
 from typing import NamedTuple
 
+from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
-from sandbox.model.solver_choice import is_direct
 from sandbox.model.translatable_message import NOTHING, Message, both, joined
 from sandbox.physics.guarding.least_step_rate import needed
 from sandbox.physics.measuring.recording import count_steps

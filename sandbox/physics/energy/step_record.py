@@ -7,15 +7,15 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import XY
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.scene.drift_and_kick import Substep
 from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.substep import Substep
 from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
     from sandbox.physics.events.impact_response import Collided
-    from sandbox.physics.events.slip_phases import SlipEntries
+    from sandbox.physics.events.slip_work import SlipEntries
     from sandbox.physics.events.switching_events import EventEntries
 
 

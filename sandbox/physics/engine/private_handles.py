@@ -4,7 +4,7 @@
 takes 0.9 of the 1.1 µs for reading two bodies, and 1.4 of the 1.6 µs for writing them. Reading the
 position of a `pymunk.Body` takes 0.5 µs, of which 0.3 make it a vector. A whole step with a string
 or a force law takes a few µs and has two to eight such calls. Here the arguments are made once; no
-public interface is as fast. Only this module, `contact_handles` and `pre_solve_contact` do so.
+public interface is as fast. Only this module, `arbiters` and `arbiter_handle` do so.
 """
 
 from collections.abc import Callable

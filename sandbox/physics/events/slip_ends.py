@@ -5,7 +5,7 @@ pymunk detects that in the next kick, and reduces the friction of that whole kic
 slips back: the end comes up to half a step early or late. Here the drift is cut where the slip
 ends. Between two kicks leapfrog represents a motion with the acceleration of the last, so a slip
 changes linearly and its zero is known. pymunk's solver and the joints determine how the bodies
-continue from there for the rest of the step (`kick_after_event.py`). pymunk is then given
+continue from there for the rest of the step (`post_event_accelerations.py`). pymunk is then given
 the positions at the end of the drift, and the velocities half a kick before.
 
 If the slip ends within the second half of a kick, the half after its step, pymunk has reduced the
@@ -24,9 +24,9 @@ from sandbox.model.level import Level
 from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
 from sandbox.physics.contacts.impacts.impact_step_velocity import impacts, reached
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
-from sandbox.physics.events.kick_after_event import ContinuationSolver
-from sandbox.physics.events.slip_detection import SlipDetector
-from sandbox.physics.events.slip_phases import Phase, SlipEntries, Slips, booked
+from sandbox.physics.events.post_event_accelerations import ContinuationSolver
+from sandbox.physics.events.slip_end_detection import SlipDetector
+from sandbox.physics.events.slip_work import Phase, SlipEntries, Slips, booked
 from sandbox.physics.scene.scene import Scene
 
 MOST = 100

@@ -14,6 +14,7 @@ import pymunk
 
 from sandbox.model.acting_events import beside_bouncing, bouncing, tied
 from sandbox.model.base import Model
+from sandbox.model.contact_solver_choice import is_alone
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joint_ends_at_start import span
 from sandbox.model.joints import (
@@ -33,7 +34,6 @@ from sandbox.model.joints import (
 )
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY, Point, evaluate
-from sandbox.model.solver_choice import is_alone
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.forces.spring import Law, SpringForce

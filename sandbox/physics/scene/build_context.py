@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from sandbox.physics.contacts.coefficients.static_friction import Sticking
-    from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+    from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
     from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
 
 

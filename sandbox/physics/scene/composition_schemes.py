@@ -11,7 +11,7 @@ from itertools import accumulate, pairwise
 from math import fsum
 from typing import NamedTuple
 
-from sandbox.physics.scene.drift_and_kick import Substep
+from sandbox.physics.scene.substep import Substep
 
 
 class Composition(NamedTuple):

@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING
 
 import pymunk
 
+from sandbox.model.contact_solver_choice import is_direct, may_catch
 from sandbox.model.excluded_pairs import apart
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.solver_choice import is_direct, may_catch
 from sandbox.physics.contacts.coefficients.solver_coefficients import (
     add_skin,
     correct_contacts,

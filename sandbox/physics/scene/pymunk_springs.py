@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pymunk
 
+from sandbox.model.contact_solver_choice import may_catch
 from sandbox.model.level import Stepping
-from sandbox.model.solver_choice import may_catch
 from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.variable_mass import MassFlows, Share

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pymunk
 
+from sandbox.model.contact_solver_choice import is_direct, may_catch
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.solver_choice import is_direct, may_catch
 from sandbox.physics.engine.pymunk_bodies import make_body
 from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.forces.declared_laws import gravity, laws, mass_share
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from sandbox.physics.contacts.coefficients.static_friction import Sticking
     from sandbox.physics.contacts.direct.solver import DirectSolver
     from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
-    from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+    from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
     from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
     from sandbox.physics.forces.force_switch import Switches
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.translatable_message import NOTHING, Message
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import SystemTooLarge
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import SystemTooLarge
 from sandbox.physics.contacts.impacts.endless_impacts_error import EndlessImpacts
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import (

@@ -7,8 +7,8 @@ import numpy as np
 
 from sandbox.model.shapes import XY
 from sandbox.physics.engine.grab_spring import Hand
-from sandbox.physics.scene.drift_and_kick import once
 from sandbox.physics.scene.stability_limits import check_springs
+from sandbox.physics.scene.substep import once
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup, Stages
 

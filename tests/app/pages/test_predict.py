@@ -17,7 +17,7 @@ from sandbox.app.pages.predict.panel import PredictPage
 from sandbox.app.pages.predict.prediction_in_progress import PredictionWorker
 from sandbox.app.pages.predict.prediction_outcome import Outcome, judged
 from sandbox.app.pages.predict.questions import questions, when
-from sandbox.app.runs import playback
+from sandbox.app.runs import run_player
 from sandbox.app.runs.session import Session
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
@@ -133,8 +133,8 @@ def test_after_going_back_the_rest_of_the_run_is_predicted(
     assert asked.session.at_end
     asked.click(asked.page(PredictPage).button.rect)
     with monkeypatch.context() as slow:
-        slow.setattr(playback, "AT_ONCE", seconds)
-        slow.setattr(playback, "ON_THE_WAY", seconds)
+        slow.setattr(run_player, "AT_ONCE", seconds)
+        slow.setattr(run_player, "ON_THE_WAY", seconds)
         asked.session.go_to(21)
         asked.click(asked.page(PredictPage).button.rect)
         assert (asked.session.sought is None) == asked.session.locked == bool(seconds)

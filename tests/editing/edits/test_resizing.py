@@ -4,8 +4,8 @@ import pytest
 
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import DENSITY, add_box, add_disc, add_polygon, add_surface
+from sandbox.editing.edits.moving_and_aligning import turn
 from sandbox.editing.edits.resizing import drag_handle, handles, scale
-from sandbox.editing.edits.transforms import turn
 from sandbox.editing.placed_bodies import placed
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model import level_catalog

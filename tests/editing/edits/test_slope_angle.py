@@ -10,8 +10,8 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_surface
 from sandbox.editing.edits.effects import declare
 from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.moving_and_aligning import move, turn
 from sandbox.editing.edits.slope_angle import slope_of, tilt
-from sandbox.editing.edits.transforms import move, turn
 from sandbox.editing.placed_bodies import placed
 from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.editing.suggested_checks import suggestions, take

@@ -3,7 +3,7 @@
 import pytest
 
 from sandbox.editing.edits.field_values import make_parameter
-from sandbox.editing.edits.transforms import move
+from sandbox.editing.edits.moving_and_aligning import move
 from sandbox.editing.suggested_checks import MOST_MOVING, followed, suggestions, take
 from sandbox.editing.text_patches import put_all
 from sandbox.model import level_catalog

@@ -21,7 +21,7 @@ from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
 from sandbox.physics.accuracy import (
     calibration,
-    candidate_settings,
+    offered_settings,
     refinement_search,
     setting_search,
 )
@@ -444,7 +444,7 @@ def test_what_cannot_be_reached_says_what_can() -> None:
 def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for module in (calibration, candidate_settings):  # as if the rest went elsewhere
+    for module in (calibration, offered_settings):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     monkeypatch.setattr(
         setting_search, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)

@@ -7,8 +7,8 @@ from math import cos, pi, radians, sin, sqrt
 import numpy as np
 import pytest
 
+from sandbox.model.contact_solver_choice import MOST_PILED, is_direct
 from sandbox.model.level import Level
-from sandbox.model.solver_choice import MOST_PILED, is_direct
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError

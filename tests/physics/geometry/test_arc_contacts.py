@@ -9,7 +9,7 @@ from scipy.special import ellipk
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError

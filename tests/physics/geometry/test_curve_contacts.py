@@ -15,7 +15,7 @@ from sandbox.model.shapes import Curve
 from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowPairs
 from sandbox.physics.contacts.direct.rows import gap_functions
 from sandbox.physics.contacts.direct.solver import DirectSolver
-from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.geometry import curve_contacts
 from sandbox.physics.geometry.arc_contacts import Piece
 from sandbox.physics.geometry.plane_curve import KNOT, Course, Side

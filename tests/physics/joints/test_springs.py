@@ -5,9 +5,9 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
+from sandbox.model.contact_solver_choice import MOST_SPRUNG, is_direct
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.model.solver_choice import MOST_SPRUNG, is_direct
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.motion import Motion

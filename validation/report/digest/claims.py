@@ -9,7 +9,7 @@ from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from validation.case import Outcome
 from validation.cost.summary import ROUNDING
-from validation.report.digest.level_chapters import by_chapter
+from validation.report.digest.levels_by_chapter import by_chapter
 
 CLOSEST = 5
 """The number of cases closest to their bounds that are shown."""

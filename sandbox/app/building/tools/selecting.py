@@ -18,7 +18,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
-from sandbox.editing.edits import transforms
+from sandbox.editing.edits import moving_and_aligning
 from sandbox.editing.edits.resizing import drag_handle
 from sandbox.editing.foreseen_faults import Proposed
 from sandbox.model.shapes import XY
@@ -87,7 +87,9 @@ class SelectTool(Tool):
             return None
         match self._doing:
             case Doing.MOVING if moved and self._way.point != (0.0, 0.0):
-                return Proposed(partial(transforms.move, names=moved, by=self._way.point), moved)
+                return Proposed(
+                    partial(moving_and_aligning.move, names=moved, by=self._way.point), moved
+                )
             case Doing.TURNING if self._held and (angle := self._turn):
                 return _turning(self._held, angle)
             case Doing.RESIZING if body and self._handle:
@@ -289,7 +291,9 @@ class SelectTool(Tool):
 
 def _turning(bodies: Sequence[DrawableBody], angle: float) -> Proposed[str]:
     names, middle = [body.outline.name for body in bodies], selection_handles.middle(bodies)
-    return Proposed(partial(transforms.turn, names=names, angle=angle, about=middle), names)
+    return Proposed(
+        partial(moving_and_aligning.turn, names=names, angle=angle, about=middle), names
+    )
 
 
 def _resizing(body: DrawableBody, handle: Handle, to: XY) -> Proposed[str]:

@@ -6,9 +6,9 @@ from itertools import chain
 from sandbox.model.level import Level
 from sandbox.model.rules.conditions import (
     effects,
-    formulas_over_time,
     joints,
     numbers_and_shapes,
+    time_dependent_formulas,
     wire_shapes,
 )
 from sandbox.model.rules.conditions.condition import Condition
@@ -22,7 +22,7 @@ _TOPICS: tuple[Callable[[Level], Iterator[Condition]], ...] = (
     effects.friction,
     effects.singular_forces,
     effects.rockets,
-    formulas_over_time.conditions,
+    time_dependent_formulas.conditions,
     wire_shapes.conditions,
 )
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from sandbox.model.body import Body
+from sandbox.model.contact_solver_choice import is_alone
 from sandbox.model.effects.contact import Pair
 from sandbox.model.errors import brief
 from sandbox.model.excluded_pairs import apart
@@ -19,7 +20,6 @@ from sandbox.model.rules.consistency.mentions import (
     named_quantities,
 )
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop
-from sandbox.model.solver_choice import is_alone
 from sandbox.model.translatable_message import Message, both
 
 

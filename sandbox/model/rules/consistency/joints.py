@@ -3,13 +3,13 @@
 from collections.abc import Iterator
 
 from sandbox.model.acting_events import bouncing, tied
+from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.errors import brief
 from sandbox.model.joints import Joint, Own, Rod, Spring, Wire, bodies_of, body_of, is_exact, points
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, names_in
 from sandbox.model.rules.consistency.mentions import bodies_of_flows
 from sandbox.model.shapes import Curve
-from sandbox.model.solver_choice import is_direct
 from sandbox.model.translatable_message import Message
 
 MAX_WIRES = 200

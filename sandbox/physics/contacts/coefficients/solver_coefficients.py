@@ -10,7 +10,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
 from sandbox.physics.contacts.coefficients.static_friction import Sticking, sticking
-from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.contacts.shapes.pymunk_shapes import SKIN
 
 if TYPE_CHECKING:

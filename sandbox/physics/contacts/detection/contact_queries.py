@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pymunk
 
-from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.geometry.outline_distance import dot

@@ -14,7 +14,7 @@ from sandbox.model.effects.contact import Contact
 from sandbox.model.expressions import Values
 from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.detection.contact_queries import touched
-from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.contacts.shapes.pymunk_shapes import slop_of
 from sandbox.physics.state.errors import SimulationError
 

@@ -23,7 +23,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
 from sandbox.physics.contacts.direct.drifts.drift_parts import CutDrift, DriftPart
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts

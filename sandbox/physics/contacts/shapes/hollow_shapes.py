@@ -14,6 +14,8 @@ from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve as CurveShape
 from sandbox.model.translatable_message import Message
+from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
+from sandbox.physics.contacts.shapes.caps_and_joins import make_ends
 from sandbox.physics.contacts.shapes.corner_feelers import (
     FELT,
     HOLLOW,
@@ -23,9 +25,7 @@ from sandbox.physics.contacts.shapes.corner_feelers import (
     half_of,
     make_feeler,
 )
-from sandbox.physics.contacts.shapes.curve_ends import make_ends
-from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
-from sandbox.physics.contacts.shapes.hoop_enclosures import Enclosures
+from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
 from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.geometry.arc_contacts import Arc, Piece
 from sandbox.physics.geometry.convex_decomposition import convex_parts

@@ -29,7 +29,7 @@ from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve, Polyline, Segment
 from sandbox.physics.contacts.shapes.corner_feelers import core_of
 from sandbox.physics.contacts.shapes.hollow_shapes import line_of
-from sandbox.physics.engine.pre_solve_contact import PreSolveContact, address
+from sandbox.physics.engine.arbiter_handle import PreSolveContact, address
 from sandbox.physics.engine.pymunk_bodies import local_points
 from sandbox.physics.geometry.arc_contacts import Arc, Placed, put
 from sandbox.physics.geometry.outline_distance import dot, plain

@@ -8,11 +8,11 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Integers
+from sandbox.physics.joints.exact.constraint_conditioning import independence, steps_needed
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Rows
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.exact.equation_tables import Equations
 from sandbox.physics.joints.exact.joint_system import JointSystem
-from sandbox.physics.joints.exact.solvability import independence, steps_needed
 from sandbox.physics.state.errors import JointFailure
 
 SINGULAR = 1e-10

@@ -2,9 +2,9 @@
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.banded_systems import Banded
+from sandbox.physics.joints.exact.constraint_conditioning import solved
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
-from sandbox.physics.joints.exact.solvability import solved
 
 MOMENT = 1e-3
 """The fraction of a drift over which the Jacobian is differenced, before and after a step: its

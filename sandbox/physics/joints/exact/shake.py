@@ -18,6 +18,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.joints.exact.banded_systems import Banded
+from sandbox.physics.joints.exact.constraint_conditioning import solved
 from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     MAX_ITERATIONS,
@@ -31,7 +32,6 @@ from sandbox.physics.joints.exact.force_history import ConstraintForces
 from sandbox.physics.joints.exact.joint_failures import check_independent, lost, overlapping
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.separate_joints import alone
-from sandbox.physics.joints.exact.solvability import solved
 from sandbox.physics.state.cancellation_points import cancellation_point
 from sandbox.physics.state.errors import JointFailure
 

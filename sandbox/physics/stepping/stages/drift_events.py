@@ -23,8 +23,8 @@ import numpy as np
 
 from sandbox.model.acting_events import SingleEvent, happenings, loads
 from sandbox.model.expressions import Array
+from sandbox.physics.energy.impulse_propagation import reached
 from sandbox.physics.energy.step_record import StepRecord
-from sandbox.physics.energy.taut_ropes import reached
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.elastic_stops import Bounces

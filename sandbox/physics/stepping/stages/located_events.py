@@ -101,7 +101,7 @@ def _stops(setup: Setup) -> "SlipEndLocator | None":
     friction = setup.level.effects.friction
     if friction is None or friction.located is None:
         return None
-    from sandbox.physics.events.kick_after_event import ContinuationSolver
+    from sandbox.physics.events.post_event_accelerations import ContinuationSolver
     from sandbox.physics.events.slip_ends import stop
 
     scene, kicks, forces = setup.scene, setup.kicks, setup.forces

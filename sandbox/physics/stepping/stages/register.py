@@ -46,8 +46,8 @@ STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] =
     "located impacts, and located ends of slipping": (_has_cuts, _by("located_events")),
     "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequential_impacts")),
     "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct_solver")),
-    "one-way surfaces": (lambda s: s.scene.gates is not None, _by("one_way")),
-    "several drifts and kicks": (lambda s: s.stepping.is_composed, _by("fourth_order")),
+    "one-way surfaces": (lambda s: s.scene.gates is not None, _by("one_way_gates")),
+    "several drifts and kicks": (lambda s: s.stepping.is_composed, _by("composition_substeps")),
     "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("grid_bounds")),
 }
 """The condition for each stage, and its maker."""

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active, Friction
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active, Friction
 
 
 class ActiveSetResult(NamedTuple):

@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Friction
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Friction
 from sandbox.physics.engine.space_arrays import Integers
 
 

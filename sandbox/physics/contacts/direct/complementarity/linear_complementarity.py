@@ -7,7 +7,7 @@ opposite directions, whose sum a last condition bounds (Stewart and Trinkle 1996
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Problem
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Problem
 from sandbox.physics.contacts.direct.complementarity.lemke import lemke
 
 FAINT = 1e-12

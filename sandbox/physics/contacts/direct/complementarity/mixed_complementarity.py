@@ -22,7 +22,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.active_set import ActiveSetResult
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active, Problem
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active, Problem
 from sandbox.physics.contacts.direct.complementarity.friction_bounds import FrictionBounds
 from sandbox.physics.contacts.direct.complementarity.linear_complementarity import FAINT, by_lemke
 from sandbox.physics.contacts.direct.complementarity.redundant_systems import (

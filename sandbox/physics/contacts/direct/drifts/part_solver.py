@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart, others_of
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
 from sandbox.physics.contacts.direct.kicks import coupled_impacts

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.newton_method import solve_rows

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.space_arrays import Booleans, Contacts

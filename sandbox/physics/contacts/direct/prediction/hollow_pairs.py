@@ -17,7 +17,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Motion, Path, meet
 from sandbox.physics.contacts.direct.prediction.convex_parts import TOUCHING, Pair
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
-from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, put
 from sandbox.physics.geometry.curve_contacts import verdict
 from sandbox.physics.geometry.outline_distance import FEELER, Outline, dot, outline_of

@@ -27,7 +27,7 @@ from sandbox.physics.contacts.direct.prediction.straight_side_tables import NEAR
 from sandbox.physics.contacts.direct.rows.contact_outlines import SHARP
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
-from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, planes

@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.translatable_message import Message
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import (
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import (
     NO_FRICTION,
     Friction,
     Problem,

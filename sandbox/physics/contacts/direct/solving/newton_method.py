@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.complementarity.mixed_complementarity import (
     Unsolvable,
     solve,

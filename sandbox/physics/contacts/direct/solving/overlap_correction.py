@@ -9,7 +9,7 @@ each other stay in contact, where that is possible.
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.rows.kick_system import PROUD, Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout, Surfaces
 from sandbox.physics.contacts.direct.solving.newton_method import newton

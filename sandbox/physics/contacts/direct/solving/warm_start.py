@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
 from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
 from sandbox.physics.contacts.direct.rows.kick_system import Kick

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import (
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import (
     NO_FRICTION,
     Active,
     Friction,

@@ -10,7 +10,7 @@ import pytest
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
-from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.drifts import part_solver
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import ConstraintImpulses, hold

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.editing.formula_edits import negative, renamed, scaled, shifted, turned
+from sandbox.editing.formula_arithmetic import negative, renamed, scaled, shifted, turned
 from sandbox.model.expressions import Expression
 
 VALUES = {"a": 1.7, "b": 0.3}

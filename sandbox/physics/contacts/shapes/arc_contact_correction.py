@@ -13,8 +13,8 @@ from collections.abc import Iterator, Mapping
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.shapes.hoop_enclosures import Enclosures
-from sandbox.physics.engine.pre_solve_contact import PreSolveContact, address
+from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
+from sandbox.physics.engine.arbiter_handle import PreSolveContact, address
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, Verdict, way_along
 from sandbox.physics.geometry.curve_contacts import verdict

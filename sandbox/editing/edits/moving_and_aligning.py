@@ -1,4 +1,4 @@
-"""Moving, turning, aligning and mirroring bodies, with what is attached to them.
+"""Moving, turning and aligning bodies, with what is attached to them.
 
 Formulas stay formulas: a position `r` that is moved becomes `r + 0.5`. Bodies pinned to a moved
 body move with it, and so do its pins; the length of a rod becomes the new distance of its ends.
@@ -9,7 +9,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Literal
 
 from sandbox.editing.attached_bodies import attached, pinned, shifted_point
-from sandbox.editing.formula_edits import turned
+from sandbox.editing.formula_arithmetic import turned
 from sandbox.editing.placed_bodies import around, chosen
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.joints import Wire, body_of

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box
-from sandbox.editing.edits.transforms import Side, align, distribute, move, turn
+from sandbox.editing.edits.moving_and_aligning import Side, align, distribute, move, turn
 from sandbox.editing.expanded_level import plain
 from sandbox.editing.placed_bodies import placed
 from sandbox.editing.text_patches import value_at
