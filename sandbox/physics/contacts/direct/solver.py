@@ -102,10 +102,10 @@ class DirectSolver:
         `acceleration`, (n, 3), is by gravity and force laws [m/s², rad/s²]; `start` tells whether
         this is the first kick, which begins at its step.
         """
-        repeats = start and self._starts  # its crowd is known, and its overlaps are corrected
-        self._build.corrects, self._crowd = not repeats, self._crowd if repeats else None
-        if repeats:
+        if start and self._starts:  # it is repeated, and its crowd is known
             self.drifts.forget()
+        else:
+            self._build.corrects, self._crowd = True, None
         self._begun, self._acceleration, self._starts = self.velocity(), acceleration, start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 

@@ -24,8 +24,8 @@ class KickBuilder:
     `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved;
     `moves`, (n,), tells which are dynamic. `known` is the warm start, for the correction of
     overlaps. `contacts` are those of the present kick, and `shift`, (n, 3), are the displacements
-    by the correction of overlaps in this step [m, rad]; `corrects` tells whether it is made: once
-    for a kick that is repeated.
+    by the correction of overlaps in this step [m, rad]; `corrects` tells whether it may be made:
+    once, however often the kick is repeated.
     """
 
     def __init__(
@@ -101,6 +101,7 @@ class KickBuilder:
         way = self._overlaps.way(kick, leaving) if self.corrects else None
         if way is None:
             return kick
+        self.corrects = False
         state = self._batch.state()
         self.shift = np.where(self._moves[:, None], way[self._order], 0.0)
         state[:, :3] += self.shift
