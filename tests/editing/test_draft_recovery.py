@@ -112,7 +112,7 @@ def test_where_nothing_can_be_kept_that_is_told(own_folder: Path) -> None:
 WRITES = """
     import sys
     from pathlib import Path
-    from sandbox.editing import recovery
+    from sandbox.editing import draft_recovery as recovery
     from sandbox.editing.draft import Draft
     from sandbox.editing.text_patches import put
     recovery.data_folder = lambda: Path(sys.argv[1])

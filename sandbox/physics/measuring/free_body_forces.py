@@ -78,7 +78,9 @@ class FreeBodies:
             known += press.acting(self._names[press.row], kick.center)
         rest = self._rest(body, kick, known)
         x, y, spin = kick.rates.tolist()
-        struck = any(acting.name == IMPACT for acting in known) or kick.struck
+        direct = self._scene.direct
+        jerked = direct is not None and bool(direct.drifts.jerked[row])
+        struck = jerked or kick.struck or any(acting.name == IMPACT for acting in known)
         return FreeBody(
             body=body, t=kick.step.t, mass=kick.mass, moment=kick.moment, center=kick.center,
             forces=(*known, *rest), acceleration=(x, y), angular_acceleration=spin,

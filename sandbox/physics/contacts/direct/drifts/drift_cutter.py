@@ -311,6 +311,8 @@ class DriftCutter(PartSolver):
         landed = part.kick.layout.touching.pair[struck]
         time = self._whole.drift - part.left + part.drift
         self.record.note(pairs, time, stages[1].contacts, landed)
+        if np.count_nonzero(catching):
+            self.record.jerked = self.record.jerked | self.reached
         return begun, stages
 
     def _closed(self, part: DriftPart) -> DriftPart:

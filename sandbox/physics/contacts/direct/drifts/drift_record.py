@@ -6,7 +6,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import pairs_of
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingImpact, LandingRecord
-from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts
 
 
 class Drifts:
@@ -33,6 +33,14 @@ class Drifts:
     def struck(self) -> Sequence[LandingImpact]:
         """Who collided in the landings of the drift before it, in turn."""
         return self.landings.struck
+
+    @property
+    def jerked(self) -> Booleans:
+        """Which bodies joints may jerk in the drift after it: (n,).
+
+        The forces of such joints in the kick are then partly those of the jerk.
+        """
+        return self._lands.jerked
 
     def begin(self, contacts: Contacts) -> None:
         """Go on to the next kick, at whose beginning there are some contacts."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from sandbox.physics.contacts.detection.contact_queries import pairs_of
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
-from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts, Integers
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts, Integers
 
 
 class LandingImpact(NamedTuple):
@@ -22,7 +22,8 @@ class LandingRecord:
 
     `pushed`, (n,), are the sums of the sizes of their impulses on each body [N s], and `met` are
     the contacts that take part in them, without impulses. `struck` tells who collided in them, in
-    turn; `given` has their normal impulses by pair, in turn [N s].
+    turn; `given` has their normal impulses by pair, in turn [N s]. `jerked`, (n,), tells which
+    bodies may be jerked by joints that catch in it.
     """
 
     def __init__(self, count: int) -> None:
@@ -30,6 +31,7 @@ class LandingRecord:
         self.met = NO_CONTACTS
         self.struck: list[LandingImpact] = []
         self.given: dict[Pair, float] = {}
+        self.jerked: Booleans = np.zeros(count, dtype=bool)
 
     def note(self, pairs: Sequence[Pair], time: float, pushed: Contacts, landed: Integers) -> None:
         """Note a landing, of pairs that collided at a time since the start of the drift [s].
