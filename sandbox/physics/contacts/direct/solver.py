@@ -47,17 +47,16 @@ from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
 
-FAR = 1e6  # m or rad in a drift, beyond which no landing is located: numbers have run away
-
 
 class DirectSolver:
     """Solves contacts and exact joints together; n bodies.
 
     `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved.
-    `inertia`, (n, 3), has masses twice and moments, 0 for what does not move or turn [kg, kg m²];
-    `dt` is the time step [s].
-    `last` are the impacts of the last kick, and impulses of landings in the drift before; `stages`
-    are its stages, if it had impacts, else empty. `drifts` are those before and after it.
+    `inertia`, (n, 3), has masses twice and moments, 0 for bodies that do not move or
+    turn [kg, kg m²]; `dt` is the time step [s].
+
+    `last` are the impacts of the last kick, with the impulses of landings in the drift before it;
+    `stages` are its stages, if it had impacts, else empty. `drifts` are those before and after it.
     """
 
     def __init__(
@@ -195,7 +194,8 @@ class DirectSolver:
 
     def _solve_all(self) -> None:
         self._joints.check()
-        kick = self._build.look((start := self._beginning()).velocity * self._dt)
+        start = self._beginning()
+        kick = self._build.look(start.velocity * self._dt)
         try:
             taken = take(kick, start, self._known)
         except (JointFailure, NoForces) as whole:
@@ -233,8 +233,8 @@ class DirectSolver:
     @property
     def _locates(self) -> bool:
         """Whether landings are located in the drift after this kick."""
-        kick = self._dt / 2 if self._starts else self._dt
-        return self._lands and (self._joints.drift, self._joints.kick) == (self._dt, kick)
+        kick, dt = self._dt / 2 if self._starts else self._dt, self._dt
+        return self._lands and self._joints.drift == dt and self._joints.kick == kick
 
     def _divides(self, kick: Kick) -> bool:
         """Whether a drift can be taken in parts: it is a whole one, and nothing drives bodies."""
@@ -262,8 +262,8 @@ class DirectSolver:
 
         Crowds are stopped, and what is left is looked at again, without those that are `stopped`.
         """
-        pulls, far = self._pulls.begins, np.abs(self._batch.velocity()).max() * self._dt > FAR
-        if far or not (self._locates and (self._meets or pulls)):
+        pulls = self._pulls.begins
+        if not (self._locates and (self._meets or pulls)):
             return None
         taken, look = self._taken, self._speculative
         place, motion = taken.coordinates if taken else self._joints.coordinates()
@@ -346,5 +346,5 @@ class DirectSolver:
         First the normal ones, then friction. The torque about the centre of mass shows where
         between its two points a side bears.
         """
-        solved, none = self._solved, np.zeros((2, 0, 3))
-        return solved[0].wrenches(solved[1], body) if solved else none
+        solved = self._solved
+        return solved[0].wrenches(solved[1], body) if solved else np.zeros((2, 0, 3))

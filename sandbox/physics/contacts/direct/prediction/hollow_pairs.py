@@ -38,6 +38,10 @@ TINY = 1e-300
 SLIM = 0.5
 """The share of a body's size by which it may come between two looks at its contacts."""
 
+LOOKS = 2000
+"""The most looks at the contacts of two bodies in a drift: enough for a ball of 2 cm at 1,200 m/s
+and 60 Hz. What is faster still may pass through; if numbers have run away, no looks are enough."""
+
 
 Places = tuple[Placed, Placed]
 """The positions and rotations of two bodies."""
@@ -177,7 +181,7 @@ class HollowPairs:
         (end, _), (ended, _) = _moved(path, pair, lasts)
         way = abs((ended - end) - (there - at))
         size = min(shape.size for shape in self._shapes[self._in_order(pair)[1]])
-        looks = 1 + int(way / (SLIM * size))
+        looks = 1 + int(min(LOOKS - 1, way / (SLIM * size)))
         return (lasts * (look + 1) / looks for look in range(looks))
 
     def corners(self, pair: Pair, here: Coordinates, there: Coordinates) -> Iterator[HollowCorner]:

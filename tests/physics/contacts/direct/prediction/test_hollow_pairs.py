@@ -1,5 +1,6 @@
 """Landings in hoops and arcs and on curves, solved directly: each comes at its own time."""
 
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -8,6 +9,9 @@ import pytest
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.physics.contacts.detection.time_of_impact import Path
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowPairs
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level
 
@@ -176,3 +180,33 @@ def test_an_arch_lands_on_one_foot_and_then_on_the_other() -> None:
 
     assert max(coarse.deepest, fine.deepest) <= DEEP
     assert coarse.place == pytest.approx(fine.place, abs=1e-11)
+
+
+def test_what_moves_absurdly_far_in_a_step_is_looked_at_only_so_often(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A plane turns at 1e12 rad/s: the third step looked every few centimetres of 1e19 m."""
+    looked: list[float] = []
+    look = HollowPairs._times
+
+    def counted(pairs: HollowPairs, path: Path, lasts: float, pair: Pair) -> Iterator[float]:
+        for time in look(pairs, path, lasts, pair):
+            looked.append(time)
+            assert len(looked) < 20_000
+            yield time
+
+    monkeypatch.setattr(HollowPairs, "_times", counted)
+    bodies: dict[str, Spec] = {
+        "box": box(size=(0.5, 0.8)),
+        "small": {"shape": {"type": "hoop", "radius": 0.1}, "mass": 1},
+        "wide": box(size=(10, 4)),
+        "hoop": {"shape": {"type": "hoop", "radius": 0.56}, "mass": 1},
+    }
+    effects = {
+        "contact": {},
+        "centrifugal": {"rate": 1e12},
+        "force": [{"body": "small", "force": ["t", "t"]}],
+    }
+    build(level(bodies, effects)).advance(5)
+
+    assert len(looked) > 1000
