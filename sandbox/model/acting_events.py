@@ -11,7 +11,7 @@ from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression, Fraction, Values
-from sandbox.model.joints import AngleStop, Joint, Rope, Stop, Winding, is_exact
+from sandbox.model.joints import AngleStop, Joint, OneSided, Stop, is_exact
 from sandbox.model.measuring_instants import (
     ApexEvent,
     CrossingEvent,
@@ -145,9 +145,7 @@ def beside_bouncing(joints: Mapping[str, Joint], events: Mapping[str, Event]) ->
     return [
         name
         for name, joint in joints.items()
-        if isinstance(joint, Rope | Winding | Stop | AngleStop)
-        and is_exact(joint)
-        and name not in others
+        if isinstance(joint, OneSided) and is_exact(joint) and name not in others
     ]
 
 

@@ -5,16 +5,13 @@ from collections import Counter
 from sandbox.model.acting_events import cut, tied
 from sandbox.model.effects.contact import Contact
 from sandbox.model.joints import (
-    AngleStop,
     Held,
-    Own,
+    OneSided,
     Pulley,
-    Rope,
-    Stop,
-    Winding,
     bodies_of,
     body_of,
     is_exact,
+    is_solved_by_pymunk,
     points,
 )
 from sandbox.model.level import Level, Stepping
@@ -83,8 +80,7 @@ def may_be_direct(level: Level) -> bool:
     contact, friction = level.effects.contact, level.effects.friction
     if contact is None or contact.solver is not None:
         return False
-    joints = level.joints.values()
-    left = any(isinstance(joint, Own) and not joint.exact for joint in joints)
+    left = any(map(is_solved_by_pymunk, level.joints.values()))
     return not left and not (friction and friction.located)
 
 
@@ -96,9 +92,9 @@ def may_catch(level: Level, stepping: Stepping | None = None) -> bool:
     joints, stepping = level.joints.values(), stepping or level.stepping
     if level.effects.contact or stepping.scheme != "leapfrog":
         return False
-    if any(isinstance(joint, Own) and not joint.exact for joint in joints):
+    if any(map(is_solved_by_pymunk, joints)):
         return False
-    sided = (joint for joint in joints if isinstance(joint, Rope | Winding | Stop | AngleStop))
+    sided = (joint for joint in joints if isinstance(joint, OneSided))
     if any(getattr(joint, "restitution", None) is None for joint in sided):
         return True
     return sum(isinstance(joint, Pulley) for joint in joints) > len(_lone_strings(level))

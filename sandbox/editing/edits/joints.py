@@ -133,7 +133,12 @@ def _motor(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     way = complex(*chosen[1].point) - complex(*chosen[0].point)
-    return {**_line(chosen, where), "direction": list(xy(way)) if abs(way) > CENTRAL else [1, 0]}
+    return {**_line(chosen, where), "direction": _direction(way)}
+
+
+def _direction(way: complex) -> Json:
+    """Return the direction of a way between two picks; to the right if they are at one point."""
+    return list(xy(way)) if abs(way) > CENTRAL else [1, 0]
 
 
 def _slot(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
@@ -141,8 +146,7 @@ def _slot(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     first, second = chosen[:2] if chosen[1].body else (chosen[1], chosen[0])
     turn = where[second.body].turn if second.body else 1.0
     way = (complex(*second.point) - complex(*first.point)) / turn
-    direction = list(xy(way)) if abs(way) > CENTRAL else [1, 0]
-    return {**_line([first, second], where), "direction": direction}
+    return {**_line([first, second], where), "direction": _direction(way)}
 
 
 def _stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:

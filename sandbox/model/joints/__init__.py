@@ -5,7 +5,7 @@ asks for pymunk's own joints. A spring is a force.
 """
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, ClassVar, Literal, get_args
+from typing import Annotated, ClassVar, Literal, TypeGuard, get_args
 
 from pydantic import Field
 
@@ -228,6 +228,9 @@ class Wire(Model):
 Own = Rod | Rope | Pivot | Weld | Motor
 """The joints that exist in pymunk as well."""
 
+OneSided = Rope | Winding | Stop | AngleStop
+"""The joints that act only where they are taut or reached."""
+
 Joint = Annotated[
     Rod
     | Rope
@@ -255,6 +258,11 @@ KINDS: Mapping[str, Kind] = kinds(get_args(get_args(Joint)[0]))
 def is_exact(joint: Joint) -> bool:
     """Whether a joint is solved exactly: neither a force nor one of pymunk's own joints."""
     return joint.kind.force is None and getattr(joint, "exact", True)
+
+
+def is_solved_by_pymunk(joint: Joint) -> TypeGuard[Own]:
+    """Whether a joint is one of pymunk's own, and no equation of ours."""
+    return isinstance(joint, Own) and not joint.exact
 
 
 def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
-from sandbox.model.joints import Own, is_exact
+from sandbox.model.joints import Own, is_exact, is_solved_by_pymunk
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.translatable_message import NOTHING, Message, both, joined
 from sandbox.physics.guarding.least_step_rate import needed
@@ -214,7 +214,7 @@ def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
         yield Message("with the scheme 'leapfrog'"), None, other, None
     contact = level.effects.contact
     held = {name: joint for name, joint in level.joints.items() if is_exact(joint)}
-    own = any(isinstance(joint, Own) and not joint.exact for joint in level.joints.values())
+    own = any(map(is_solved_by_pymunk, level.joints.values()))
     if contact and not is_direct(level, stepping) and not own:
         yield DIRECT, solved_directly(level), stepping, None
     if contact and held and all(isinstance(joint, Own) for joint in held.values()):

@@ -22,7 +22,6 @@ from sandbox.model.joints import (
     End,
     Held,
     Motor,
-    Own,
     Pivot,
     Pulley,
     Spring,
@@ -30,6 +29,7 @@ from sandbox.model.joints import (
     Weld,
     bodies_of,
     is_exact,
+    is_solved_by_pymunk,
     points,
 )
 from sandbox.model.level import Level
@@ -222,7 +222,7 @@ class _Assembly:
         """Make the joints that pymunk solves, and add them to the space of their bodies."""
         values, bodies, joints = self._values, self._bodies, self._joints
         for name, spec in self._level.joints.items():
-            if isinstance(spec, Own) and not spec.exact:
+            if is_solved_by_pymunk(spec):
                 space = next(iter(bodies.values())).space
                 assert space
                 known = [*bodies.values(), space.static_body]

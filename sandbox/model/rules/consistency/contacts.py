@@ -7,7 +7,7 @@ from sandbox.model.contact_solver_choice import is_alone
 from sandbox.model.effects.contact import Pair
 from sandbox.model.errors import brief
 from sandbox.model.excluded_pairs import apart
-from sandbox.model.joints import Own, bodies_of, is_exact
+from sandbox.model.joints import bodies_of, is_exact, is_solved_by_pymunk
 from sandbox.model.json_positions import Path
 from sandbox.model.level import ContactEvent, Level, SeparationEvent
 from sandbox.model.level_parts import Fault
@@ -44,7 +44,7 @@ def contact_declared(level: Level) -> Iterator[Fault]:
 def _left_to_pymunk(level: Level) -> Iterator[Fault]:
     """Refuse what needs pymunk's solver where contacts are solved directly."""
     for name, joint in level.joints.items():
-        if isinstance(joint, Own) and not joint.exact:
+        if is_solved_by_pymunk(joint):
             rule = Message(
                 "pymunk's own joints cannot be combined with the 'direct' solver of contacts"
             )

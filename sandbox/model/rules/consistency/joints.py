@@ -5,7 +5,18 @@ from collections.abc import Iterator
 from sandbox.model.acting_events import bouncing, tied
 from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.errors import brief
-from sandbox.model.joints import Joint, Own, Rod, Spring, Wire, bodies_of, body_of, is_exact, points
+from sandbox.model.joints import (
+    Joint,
+    Own,
+    Rod,
+    Spring,
+    Wire,
+    bodies_of,
+    body_of,
+    is_exact,
+    is_solved_by_pymunk,
+    points,
+)
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, names_in
 from sandbox.model.rules.consistency.mentions import bodies_of_flows
@@ -111,7 +122,7 @@ def pass_impacts_on(level: Level) -> Iterator[Fault]:
     if friction and friction.located:
         yield Fault(("effects", "friction", "located"), rule)
     for name, joint in level.joints.items():
-        if isinstance(joint, Own) and not joint.exact:
+        if is_solved_by_pymunk(joint):
             yield Fault(("joints", name, "exact"), rule)
 
 

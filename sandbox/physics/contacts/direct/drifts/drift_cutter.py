@@ -273,9 +273,10 @@ class DriftCutter(PartSolver):
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         catching = shorter.kick.slack & ~kick.slack
-        hits = met or catching.any()
-        arrives = self._struck if hits else self._arrived
-        begun, stages = arrives(part, struck, catching)[-2:]
+        if met or catching.any():
+            begun, stages = self._struck(part, struck, catching)
+        else:
+            _, begun, stages = self._arrived(part, struck, catching)
         after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
         return self._closed(self._solved(after, left, left / 2))
 
