@@ -162,7 +162,7 @@ def test_a_body_is_named_in_german_on_the_stage_and_where_its_forces_are_listed(
 @pytest.mark.parametrize(
     ("name", "read"),
     [
-        ("rear_axle2", "Achse am Heck 2"),
+        ("rear_axle2", "Hinterachse 2"),
         ("box1_3", "Kiste 1 3"),
         ("a1", "a 1"),
         ("my_own", "my own"),
