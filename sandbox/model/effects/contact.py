@@ -42,9 +42,9 @@ class Contact(Model):
     solver: Literal["iterative", "direct"] | None = None
     """how contact forces are found: `iterative`, by sweeps of pymunk's solver, or `direct`, all at
     once together with the exact joints, which takes longer for many contacts; if left out, `direct`
-    if the level has exact joints, or springs and at most 20 moving bodies, or 2 to 50 moving bodies
-    and forces, or masses that differ more than threefold (unless impacts are located or in
-    sequence, or bodies may overlap), or bodies that stick and impacts that are located, or if
+    if the level has exact joints, or springs and at most 20 moving bodies, or 3 to 50 moving
+    bodies, or two and a force or masses that differ more than threefold (unless impacts are located
+    or in sequence, or bodies may overlap), or bodies that stick and impacts that are located, or if
     sweeps do not settle what rests at the start"""
     apart: Annotated[
         tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MOST_PAIRS)

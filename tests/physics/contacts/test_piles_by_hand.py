@@ -280,14 +280,15 @@ def test_a_few_bodies_that_may_press_on_each_other_are_solved_directly(
 
 
 @pytest.mark.parametrize("impacts", ["together", "sequence"])
-def test_a_gas_is_left_to_sweeps(impacts: str) -> None:
-    """Nothing presses its discs on each other, and it is cheap."""
-    discs = {name: disc((i, 0), restitution=1) for i, name in enumerate("abc")}
-    free = level(discs, {"contact": {}, "restitution": {"impacts": impacts}})
-    pulled = level(discs, {**GRAVITY, "contact": {}, "restitution": {"impacts": impacts}})
+@pytest.mark.parametrize("pull", [{}, GRAVITY])
+@pytest.mark.parametrize("count", [2, 3, MOST_PILED, MOST_PILED + 1])
+def test_two_equal_discs_and_gases_are_left_to_sweeps(count: int, pull: Spec, impacts: str) -> None:
+    """If nothing pulls on them, two meet one at a time; three may meet at once."""
+    discs = {f"disc{i}": disc((i, 0), restitution=1) for i in range(count)}
+    made = level(discs, {**pull, "contact": {}, "restitution": {"impacts": impacts}})
+    least = 2 if pull else 3
 
-    assert not is_direct(free)
-    assert is_direct(pulled) is (impacts == "together")
+    assert is_direct(made) is (impacts == "together" and least <= count <= MOST_PILED)
 
 
 @pytest.mark.parametrize("ratio", [10, 100])

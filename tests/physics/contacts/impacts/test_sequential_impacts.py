@@ -176,7 +176,9 @@ def test_a_break_of_fifteen_discs_keeps_energy_and_momentum() -> None:
     assert (np.hypot(*flight.velocity[-1].T) > 1e-3).sum() > 8, "it goes through the triangle"
 
 
-def rack(rows: int, e: float, size: float, mass: float, rate: float) -> tuple[Level, list[int]]:
+def rack(
+    rows: int, e: float, size: float, mass: float, rate: float, effects: Spec
+) -> tuple[Level, list[int]]:
     """A ball that comes straight on at a triangle; and which ball is whose mirror image."""
     rest: Spec = {"restitution": sqrt(e)}
     places = [(i, 2 * j - i) for i in range(rows) for j in range(i + 1)]
@@ -185,18 +187,19 @@ def rack(rows: int, e: float, size: float, mass: float, rate: float) -> tuple[Le
         for k, (i, j) in enumerate(places)
     }
     cue = disc((-0.5, 0), radius=0.04, mass=mass, velocity=[3, 0], **rest)
-    made = level({**balls, "cue": cue}, SEQUENCE, stepping={"rate": rate})
+    made = level({**balls, "cue": cue}, effects, stepping={"rate": rate})
     return made, [*(places.index((i, -j)) for i, j in places), len(places)]
 
 
 @pytest.mark.parametrize("rows", [2, 3, 4, 5])
 @pytest.mark.parametrize("e", [1, 0.9, 0.5])
 @pytest.mark.parametrize(("size", "mass", "rate"), [(0.03, 0.17, 960), (0.11, 1.7, 240)])
+@pytest.mark.parametrize("effects", [SEQUENCE, TOGETHER])
 def test_mirror_images_stay_so_in_a_straight_break(
-    rows: int, e: float, size: float, mass: float, rate: float
+    rows: int, e: float, size: float, mass: float, rate: float, effects: Spec
 ) -> None:
     """Taken one after the other, approaches that are equally fast end up to 1.3 m/s apart."""
-    made, mirrored = rack(rows, e, size, mass, rate)
+    made, mirrored = rack(rows, e, size, mass, rate, effects)
     world = build(made)
     flight = run(world, int(0.3 * rate))
     energy, momentum = kinetic(world, flight), world.scene.mass @ flight.velocity
