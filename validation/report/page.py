@@ -17,9 +17,9 @@ from validation.cost import report as cost_report
 from validation.cost.summary import TARGETS, cost_to_reach, next_digit
 from validation.cost.sweep import NAIVE, Sweep
 from validation.effects import figure as effects_figure
+from validation.effects.command import rows
 from validation.effects.cost_growth import Growth
 from validation.effects.costs import EffectCost, LevelCost
-from validation.effects.tables import rows
 from validation.report import measurements
 from validation.report.digest.claims import Cases, cases, chosen, share
 from validation.report.digest.costs import Costs, Requests, costs, hooks
