@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from sandbox.model.errors import SandboxError
 from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS
 from sandbox.reporting import html_pages, plot_style
-from sandbox.reporting.svg import inline
+from sandbox.reporting.html_pages import inline
 from validation.cost import figure as cost_figure
 from validation.cost import report as cost_report
 from validation.cost.summary import TARGETS, cost_to_reach, next_digit
