@@ -67,24 +67,26 @@ _ENDED = Message(
 
 
 def spread(
-    work: Callable[[Item], Result], items: Iterable[Item], jobs: int
+    work: Callable[[Item], Result], items: Iterable[Item], jobs: int | None = None
 ) -> Iterator[tuple[int, Result]]:
     """Yield the number and the result of each item, in the order in which they are done.
 
-    No process outlives this one, however it ends: each waits for the end of a pipe, which comes
-    when this process closes the pipe or dies. The work is a function of a module, so that other
-    processes can import it. Items are taken in order, and only when a process is about to need
-    them. Raises `SandboxError` if one of the processes is ended from outside.
+    There are as many processes as cores unless `jobs` gives their number. None outlives this one,
+    however it ends: each waits for the end of a pipe, which comes when this process closes the pipe
+    or dies. The work is a function of a module, so that other processes can import it. Items are
+    taken in order, and only when a process is about to need them. Raises `SandboxError` if one of
+    the processes is ended from outside.
     """
     prepare()
+    jobs = jobs or os.cpu_count() or 1
     context = get_context(METHOD)
     ending, life = context.Pipe(duplex=False)
-    pool = ProcessPoolExecutor(max(jobs, 1), context, _begin, (ending,))
+    pool = ProcessPoolExecutor(jobs, context, _begin, (ending,))
     coming = enumerate(items)
     numbers: dict[Future[Result], int] = {}
     try:
         while True:
-            for number, item in islice(coming, AHEAD * max(jobs, 1) - len(numbers)):
+            for number, item in islice(coming, AHEAD * jobs - len(numbers)):
                 with starting():
                     numbers[pool.submit(work, item)] = number
             if not numbers:

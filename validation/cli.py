@@ -87,7 +87,7 @@ def run(
     """
     cases = of_levels(levels or [])
     outcomes = suite.outcomes(cases, jobs)
-    with output.written(suite.content(outcomes), json_file):
+    with output.written(output.content(cases=outcomes), json_file):
         output.show(suite.table(cases, outcomes))
     failed = [suite.named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
     output.complain(failed)
@@ -173,7 +173,7 @@ def requests(
 
     Exit status 1 if one is missed, or if an error is more than twice its estimate.
     """
-    from validation.requests.command import measure
+    from validation.requests import measure
 
     return measure(count, seed, json_file, jobs)
 
@@ -190,7 +190,7 @@ def pace(
     The share is given for this core at this moment, and for a reference core: a slow one that is
     idle. Exit status 1 if a level needs more than half of the reference core.
     """
-    from validation.pace.command import measure
+    from validation.pace import measure
 
     return not measure(levels or [], json_file)
 

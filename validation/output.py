@@ -1,11 +1,18 @@
-"""The output of measurements: progress, tables on the terminal, JSON files."""
+"""The output of measurements: progress, tables on the terminal, and JSON files.
+
+A file names its environment: versions, machine, and cores.
+"""
 
 import json
-from collections.abc import Iterable, Iterator, Mapping
+import os
+import platform
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import asdict, is_dataclass
+from importlib.metadata import version
 from math import isfinite
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import typer
 from rich.console import Console
@@ -13,11 +20,14 @@ from rich.progress import track
 from rich.table import Table
 
 from sandbox.model.file_writing import write_atomically
+from sandbox.processes import spread
+from sandbox.version import __version__
 
 WIDE = 160
 """The width of a line without a terminal [characters]: enough for whole names."""
 
 T = TypeVar("T")
+Item = TypeVar("Item")
 
 
 def progress(things: Iterable[T], label: str, total: int) -> list[T]:
@@ -25,6 +35,17 @@ def progress(things: Iterable[T], label: str, total: int) -> list[T]:
     console = Console(stderr=True)
     hidden = not console.is_terminal
     return list(track(things, label, total, console=console, transient=True, disable=hidden))
+
+
+def spread_in_order(
+    work: Callable[[Item], T], items: Sequence[Item], label: str, jobs: int | None = None
+) -> list[T]:
+    """Do work in several processes, with progress on a terminal, and return the results in order.
+
+    For the processes see `sandbox.processes.spread`.
+    """
+    found = dict(progress(spread(work, items, jobs), label, len(items)))
+    return [found[number] for number in range(len(items))]
 
 
 def show(*tables: Table) -> None:
@@ -41,6 +62,11 @@ def table(title: str, first: str, headings: Iterable[str]) -> Table:
     for heading in headings:
         made.add_column(heading, justify="right", no_wrap=True)
     return made
+
+
+def mark(*, passed: bool, beyond: bool = False) -> str:
+    """Return the mark of what passed, or did not; a dash where that is out of reach."""
+    return "[green]✓[/]" if passed else "[yellow]–[/]" if beyond else "[red]✗[/]"
 
 
 def complain(failed: Iterable[str]) -> None:
@@ -69,9 +95,46 @@ def save(content: object, file: Path) -> None:
     write_atomically(file, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
 
 
-def finite(figures: Mapping[str, object]) -> dict[str, object]:
-    """Return figures as JSON content: those that are infinite or NaN are null."""
+def content(**parts: object) -> dict[str, Any]:
+    """Return figures, also dataclasses, as the content of a JSON file that names the environment.
+
+    Those that are infinite or NaN are null.
+    """
+    return {"environment": environment(), **{name: _finite(part) for name, part in parts.items()}}
+
+
+def _finite(figures: object) -> object:
+    if is_dataclass(figures) and not isinstance(figures, type):
+        figures = asdict(figures)
+    match figures:
+        case float():
+            return figures if isfinite(figures) else None
+        case Mapping():
+            return {name: _finite(value) for name, value in figures.items()}
+        case list() | tuple():
+            return [_finite(value) for value in figures]
+    return figures
+
+
+def environment() -> dict[str, str]:
+    """Return the versions and the machine, by which a reader can judge the figures."""
     return {
-        name: None if isinstance(value, float) and not isfinite(value) else value
-        for name, value in figures.items()
+        "sandbox": __version__,
+        "python": platform.python_version(),
+        **{package: version(package) for package in ("pymunk", "numpy", "pydantic")},
+        "platform": platform.platform(),
+        "processor": _processor(),
+        "cores": str(os.cpu_count()),
     }
+
+
+def _processor() -> str:
+    """Return the processor's name; on systems other than Linux only its family."""
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as lines:
+            for line in lines:
+                if line.startswith("model name"):
+                    return line.partition(":")[2].strip()
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()

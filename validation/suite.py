@@ -2,7 +2,6 @@
 
 import os
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict
 from functools import cache
 
 from rich.table import Table
@@ -11,7 +10,6 @@ from sandbox.processes import spread
 from validation import output
 from validation.case import Case, Outcome, run, together
 from validation.cases import all_cases
-from validation.environment import environment
 
 HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
@@ -76,11 +74,6 @@ def table(cases: Sequence[Case], found: Sequence[Outcome]) -> Table:
             f"{outcome.naive_error:.1e}",
             f"{outcome.step_seconds * 1e6:.1f} µs",
             f"{outcome.naive_step_seconds * 1e6:.1f} µs",
-            "[green]✓[/]" if outcome.passed else "[red]✗[/]",
+            output.mark(passed=outcome.passed),
         )
     return rows
-
-
-def content(found: Sequence[Outcome]) -> dict[str, object]:
-    """Return the outcomes as JSON content; infinities and NaN are null."""
-    return {"environment": environment(), "cases": [output.finite(asdict(o)) for o in found]}

@@ -13,9 +13,8 @@ from sandbox.experiments.measured_data import Data
 from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.quantities import headed, quantity
-from sandbox.reporting.html_pages import environment
+from sandbox.reporting.html_pages import environment, inline
 from sandbox.reporting.plot_style import COLOURS, legend_below, style
-from sandbox.reporting.svg import inline
 
 PAGE, NUMBERS = "report.html", "fit.json"
 

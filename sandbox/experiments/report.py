@@ -13,8 +13,7 @@ from sandbox.experiments.random_points import Method
 from sandbox.experiments.results_table import axis_unit, closed_form, error
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import write_atomically
-from sandbox.reporting.html_pages import environment
-from sandbox.reporting.svg import inline
+from sandbox.reporting.html_pages import environment, inline
 
 PAGE = "report.html"
 

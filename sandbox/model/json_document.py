@@ -11,9 +11,8 @@ from typing import Any, NoReturn
 from sandbox.model import json_positions, parse_messages
 from sandbox.model.comments import members
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
-from sandbox.model.json_positions import Path, Position, Value
+from sandbox.model.json_positions import Origin, Path, Position, Value
 from sandbox.model.level_parts import Fault
-from sandbox.model.source_text import Origin
 from sandbox.model.translatable_message import Message, message
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})

@@ -1,10 +1,13 @@
-"""The position of each value in a JSON text."""
+"""The position of each value in a JSON text, by which messages locate the parts of a level."""
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
+
+from sandbox.model.errors import brief
 
 Path = tuple[str | int, ...]
 """Keys and indices, from the outside in."""
@@ -96,3 +99,47 @@ def _advance(inner: _Container | None) -> None:
     """Proceed to the next member of the innermost container."""
     if inner:
         inner.step = inner.step + 1 if isinstance(inner.step, int) else None
+
+
+def _there(path: Path) -> Path:
+    return path
+
+
+class Origin:
+    """A JSON text, and the positions of its values.
+
+    All origins are equal, so that equal levels compare equal wherever they were read. `typed` maps
+    a path in the level to that in the text, by default to itself.
+    """
+
+    def __init__(self, text: str, source: str, typed: Callable[[Path], Path] = _there) -> None:
+        self.text = text
+        self.source = source
+        self.typed = typed
+
+    def __eq__(self, other: object) -> bool:
+        return True
+
+    def __hash__(self) -> int:
+        return 0
+
+    @cached_property
+    def values(self) -> dict[Path, Value]:
+        """Every value of the text, by its path."""
+        return {value.path: value for value in values(self.text)}
+
+    def has(self, path: Path) -> bool:
+        """Whether the text has a value for a path of the level."""
+        return self.typed(path) in self.values
+
+    def nearest(self, path: Path) -> Value:
+        """Return the value at a path or, if it is missing, what encloses it."""
+        path = self.typed(path)
+        while path not in self.values:
+            path = path[:-1]
+        return self.values[path]
+
+    def place(self, path: Path) -> str:
+        """Return the file, line, column and path of a part, for the beginning of a message."""
+        line, column = position(self.text, self.nearest(path).start)
+        return f"{self.source}:{line}:{column}: {'.'.join(brief(str(step)) for step in path)}"

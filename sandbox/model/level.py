@@ -30,7 +30,7 @@ from sandbox.model.functions import Formula
 from sandbox.model.joints import (
     Joint,
 )
-from sandbox.model.json_positions import Path
+from sandbox.model.json_positions import Origin, Path
 from sandbox.model.measuring_instants import ApexEvent as ApexEvent
 from sandbox.model.measuring_instants import ContactEvent as ContactEvent
 from sandbox.model.measuring_instants import CrossingEvent as CrossingEvent
@@ -40,7 +40,6 @@ from sandbox.model.measuring_instants import SeparationEvent as SeparationEvent
 from sandbox.model.named_constants import define
 from sandbox.model.number_bounds import Duration, Finite
 from sandbox.model.reference_fields import Mention, QuantityName
-from sandbox.model.source_text import Origin
 from sandbox.model.translatable_message import Message
 from sandbox.model.view import View
 

@@ -23,15 +23,14 @@ from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeEr
 from sandbox.model.expression_compiler import MAX_LENGTH
 from sandbox.model.expressions import Values
 from sandbox.model.json_document import Document, refuse
+from sandbox.model.json_positions import Origin, position
 from sandbox.model.json_positions import Path as Place
-from sandbox.model.json_positions import position
 from sandbox.model.level import Level, Parameter
 from sandbox.model.level_parts import Fault
 from sandbox.model.rules import level_validation
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.rules.consistency import dangling
 from sandbox.model.shorthand import write_out
-from sandbox.model.source_text import Origin
 from sandbox.model.translatable_message import NOTHING, Message, joined
 
 MAX_BYTES = 5_000_000

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from sandbox.experiments import report
 from sandbox.experiments.experiment_folder import RESULTS
 from sandbox.experiments.parameter_axes import parse
-from sandbox.reporting.svg import inline
+from sandbox.reporting.html_pages import inline
 from tests.experiments.making import RANGE, plan, table
 
 

@@ -91,7 +91,9 @@ def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path) -> None:
 
 def test_an_event_that_never_came_is_null_in_the_json() -> None:
     outcome = next(run([read("free_fall")[0]]))
-    text = json.dumps(suite.content([replace(outcome, measured=float("nan"))]), allow_nan=False)
+    text = json.dumps(
+        output.content(cases=[replace(outcome, measured=float("nan"))]), allow_nan=False
+    )
 
     assert json.loads(text)["cases"][0]["measured"] is None
 

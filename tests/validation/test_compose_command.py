@@ -29,7 +29,7 @@ def judged_by_parity(seed: int) -> Outcome:
 def test_the_command_writes_what_failed_as_json_and_as_levels(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("validation.compose.command.spread", _in_turn)
+    monkeypatch.setattr("validation.output.spread", _in_turn)
     monkeypatch.setattr("validation.compose.command.judged", judged_by_parity)
     file, folder = tmp_path / "found.json", tmp_path / "levels"
     args = ["compose", "--scene", "2", "--scene", "3", "--json", str(file), "--output", str(folder)]
@@ -47,8 +47,8 @@ def test_the_command_writes_what_failed_as_json_and_as_levels(
     assert load(level).summary.startswith("joints inf")
 
 
-def _in_turn(work: Callable[[int], Outcome], items: list[int], jobs: int) -> object:
-    assert jobs >= 1
+def _in_turn(work: Callable[[int], Outcome], items: list[int], jobs: int | None) -> object:
+    assert jobs is None  # one for each core
     return enumerate(map(work, items))
 
 

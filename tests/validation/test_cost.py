@@ -15,6 +15,7 @@ from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import needed
 from sandbox.physics.run import simulate
 from tests.physics.scenes import small_swings
+from validation import output
 from validation.cli import app
 from validation.cost import command
 from validation.cost.report import as_json, milliseconds, order_in_words, times
@@ -199,7 +200,8 @@ def test_runs_that_fail_stay_as_rows_without_a_cost() -> None:
     failed = [p for p in found.points if p.failure]
     assert {p.rate for p in failed} == {2.0}
     assert all(math.isnan(p.seconds_per_second) for p in timed(found).points if p.failure)
-    (row, *_) = [p for p in as_json(found)["points"] if p["failure"]]  # type: ignore[attr-defined]
+    content = output.content(levels=[as_json(found)])
+    (row, *_) = [p for p in content["levels"][0]["points"] if p["failure"]]
     assert row["error"] is None
 
 

@@ -7,8 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from validation.formulas import energy, kinematics, newton
-from validation.formulas.array_type import Array
+from validation.formulas import Array, energy, kinematics, newton
 
 positive = st.floats(0.01, 100)
 angles = st.floats(0.05, pi / 2 - 0.05)

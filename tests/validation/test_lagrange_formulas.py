@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike
 
-from validation.formulas import energy, oscillators
-from validation.formulas.array_type import Array
+from validation.formulas import Array, energy, oscillators
 
 positive = st.floats(0.01, 100)
 

@@ -6,11 +6,9 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from validation import cli
-from validation.pace import pace_measurement
-from validation.pace.pace_measurement import Pace
-from validation.requests.accuracy_request import Trial, trial
-from validation.requests.command import complaints, summary
+from validation import cli, pace
+from validation.pace import Pace
+from validation.requests import Trial, complaints, summary, trial
 
 
 def test_the_json_has_the_fields_that_scripts_rely_on(tmp_path: Path) -> None:
@@ -38,11 +36,11 @@ def test_a_core_half_as_fast_leaves_the_share_of_the_reference(
     clock = iter(range(10**6))
     found = []
     for tick in (1e-3, 2e-3):
-        monkeypatch.setattr(pace_measurement, "process_time", lambda tick=tick: next(clock) * tick)
-        monkeypatch.setattr(pace_measurement, "yardstick", lambda tick=tick: 3 * tick)
-        monkeypatch.setattr(pace_measurement, "SLICE", 50 * tick)
-        monkeypatch.setattr(pace_measurement, "MOST", 1000 * tick)
-        found.append(pace_measurement.pace("kinematics/free-fall"))
+        monkeypatch.setattr(pace, "process_time", lambda tick=tick: next(clock) * tick)
+        monkeypatch.setattr(pace, "yardstick", lambda tick=tick: 3 * tick)
+        monkeypatch.setattr(pace, "SLICE", 50 * tick)
+        monkeypatch.setattr(pace, "MOST", 1000 * tick)
+        found.append(pace.pace("kinematics/free-fall"))
 
     slow, fast = found[1], found[0]
     assert slow.load == pytest.approx(2 * fast.load)

@@ -13,7 +13,7 @@ from sandbox.physics.accuracy.offered_settings import Offer
 from validation.cost.accuracy_requests import Request
 from validation.cost.report import asked, summed
 from validation.cost.sweep import Budget, Point, Sweep, errors, timed
-from validation.requests.accuracy_request import looked_at
+from validation.requests import looked_at
 
 BUDGET = Budget(run=0.05, rates=(30.0, 120.0, 480.0), targets=(1e-3, 1e-5))
 

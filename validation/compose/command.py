@@ -1,10 +1,9 @@
 """`python -m validation compose`."""
 
-import os
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 
@@ -14,13 +13,10 @@ from rich.table import Table
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import folder_of_files, write_atomically
 from sandbox.model.level_writing import text
-from sandbox.processes import spread
 from validation import output
 from validation.compose.property_checks import Judgement, judge
 from validation.compose.recorded_run import Refused, run_at_advised_rate
 from validation.compose.seeded_scenes import Scene, scene
-from validation.environment import environment
-from validation.output import finite
 from validation.stability.scene_parts import Document
 
 
@@ -57,11 +53,6 @@ class Outcome:
         """The judgements that do not hold."""
         return tuple(judgement for judgement in self.judgements if not judgement.passed)
 
-    def content(self) -> dict[str, object]:
-        """Return it as the content of a JSON file."""
-        judgements = [finite(asdict(judgement)) for judgement in self.judgements]
-        return {**finite(asdict(self)), "judgements": judgements}
-
 
 def measure(
     chosen: Sequence[int], json_file: Path | None, folder: Path | None, jobs: int | None
@@ -72,8 +63,8 @@ def measure(
     default there are as many processes as cores. Raises `SandboxError` if a file cannot be written.
     """
     with folder_of_files(folder) if folder else nullcontext():
-        found = outcomes(chosen, jobs)
-        with output.written(content(found), json_file):
+        found = output.spread_in_order(judged, chosen, "Judging scenes", jobs)
+        with output.written(output.content(scenes=found), json_file):
             _show(found)
         if folder:
             _save([o for o in found if o.failed], folder)
@@ -85,18 +76,6 @@ def _show(found: Sequence[Outcome]) -> None:
     output.complain(complaints(found))
     refused = sum(o.refused for o in found)
     typer.echo(f"{sum(o.passed for o in found)} of {len(found)} scenes hold, {refused} refused.")
-
-
-def outcomes(chosen: Sequence[int], jobs: int | None = None) -> list[Outcome]:
-    """Judge scenes, with progress on a terminal, and return the outcomes in the same order."""
-    jobs = jobs or os.cpu_count() or 1
-    found = output.progress(spread(judged, chosen, jobs), "Judging scenes", len(chosen))
-    return [outcome for _, outcome in sorted(found, key=lambda pair: pair[0])]
-
-
-def content(found: Sequence[Outcome]) -> dict[str, object]:
-    """Return outcomes as the content of the JSON file."""
-    return {"environment": environment(), "scenes": [outcome.content() for outcome in found]}
 
 
 def _save(failed: Sequence[Outcome], folder: Path) -> None:
@@ -120,9 +99,8 @@ def by_family(found: Sequence[Outcome]) -> Table:
         families[outcome.family].append(outcome)
     for family, members in sorted(families.items()):
         failing = ", ".join(_counted(members))
-        mark = "[red]✗[/]" if failing else "[green]✓[/]"
         counts = (len(members), sum(o.passed for o in members), sum(o.refused for o in members))
-        table.add_row(family, *map(str, counts), failing, mark)
+        table.add_row(family, *map(str, counts), failing, output.mark(passed=not failing))
     return table
 
 

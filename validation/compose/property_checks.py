@@ -14,10 +14,9 @@ import numpy as np
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
-from validation.compose.body_distances import couples
+from validation.compose.body_distances import SKIN, couples, excess, overlapped
 from validation.compose.independent_energy import NEXT, Energies, is_passive
 from validation.compose.joint_constraints import JointConstraints, Places
-from validation.compose.overlaps import SKIN, excess, overlapped
 from validation.compose.recorded_run import Course, Refused, positions, run, start
 from validation.compose.scene_symmetries import mirrored, turned
 from validation.compose.shapes import extent, is_dynamic

@@ -1,6 +1,5 @@
 """`python -m validation cost`."""
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import nullcontext
 from functools import partial
@@ -17,7 +16,6 @@ from validation import output
 from validation.cost.report import as_json, asked, asked_table, summed, table
 from validation.cost.summary import failed
 from validation.cost.sweep import QUICK, Budget, Sweep, errors, timed
-from validation.environment import environment
 
 EACH = 6
 """A quick sweep takes one in this many levels of each chapter."""
@@ -70,11 +68,7 @@ def _drawer() -> Callable[[Sweep, Path], Path]:
 
 def content(found: Sequence[Sweep]) -> dict[str, object]:
     """Return sweeps as the content of the JSON file."""
-    return {
-        "environment": environment(),
-        "levels": [as_json(sweep) for sweep in found],
-        "requests": asked(found),
-    }
+    return output.content(levels=[as_json(sweep) for sweep in found], requests=asked(found))
 
 
 def sweep_all(names: Sequence[str], *, quick: bool) -> list[Sweep]:
@@ -89,6 +83,6 @@ def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:
     All errors are computed first, on all cores. Then the costs are timed, one run after another,
     since runs that share the machine take longer.
     """
-    found = dict(spread(partial(errors, budget=budget), names, os.cpu_count() or 1))
+    found = dict(spread(partial(errors, budget=budget), names))
     for number in range(len(names)):
         yield timed(found[number])

@@ -17,7 +17,6 @@ from validation.cost.summary import (
     pareto,
 )
 from validation.cost.sweep import NAIVE, OURS, Sweep
-from validation.output import finite
 
 HEADINGS = (
     "order",
@@ -33,7 +32,7 @@ HEADINGS = (
 
 
 def as_json(sweep: Sweep) -> dict[str, object]:
-    """Return a sweep as JSON content, without infinities and NaN."""
+    """Return a sweep as content of the JSON file."""
     ours = [p for p in sweep.points if p.scheme != NAIVE]
     naive = [p for p in sweep.points if p.scheme == NAIVE]
     found, schemes = headline(sweep), dict.fromkeys(point.scheme for point in sweep.points)
@@ -43,14 +42,14 @@ def as_json(sweep: Sweep) -> dict[str, object]:
         "failure": sweep.failure,
         "quantities": sweep.quantities,
         "own_rate": sweep.own_rate,
-        "points": [finite(asdict(point)) for point in sweep.points],
+        "points": sweep.points,
         "order": order(sweep.points, OURS),
         "orders": {scheme: order(sweep.points, scheme) for scheme in schemes},
         "pareto": pareto(sweep.points),
         "to_reach": {f"{target:g}": cost_to_reach(ours, target) for target in TARGETS},
         "naive_to_reach": {f"{target:g}": cost_to_reach(naive, target) for target in TARGETS},
-        "headline": None if found is None else finite(asdict(found)),
-        "trusted": [{**finite(asdict(trust)), "digits": trust.digits} for trust in sweep.trusted],
+        "headline": found,
+        "trusted": [{**asdict(trust), "digits": trust.digits} for trust in sweep.trusted],
         "next_digit": next_digit(sweep),
     }
 
@@ -100,7 +99,7 @@ def asked(sweeps: Sequence[Sweep]) -> list[dict[str, object]]:
     """
     return [
         {
-            **{PUBLISHED.get(key, key): value for key, value in finite(asdict(request)).items()},
+            **{PUBLISHED.get(key, key): value for key, value in asdict(request).items()},
             "stepping": request.stepping and request.stepping.model_dump(),
             "honoured": request.honoured,
         }
@@ -123,7 +122,7 @@ def asked_table(sweeps: Sequence[Sweep]) -> Table:
             f"{s.scheme} {s.rate:g} Hz" if s else "none",
             milliseconds(request.cost),
             milliseconds(request.cheapest),
-            "[green]✓[/]" if request.honoured else "–" if request.beyond else "[red]✗[/]",
+            output.mark(passed=request.honoured, beyond=request.beyond),
         )
     return found
 

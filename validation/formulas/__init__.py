@@ -5,3 +5,8 @@ import nothing of the sandbox. Angles are in radians. "The chapter" is the docum
 follows; each formula names its section, or has a line of derivation if the chapter gives none.
 Every formula holds for any finite argument unless it says otherwise.
 """
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from validation.formulas.array_type import Array
+from validation.formulas import Array
 
 Step = Callable[[float, float, float, float, float], tuple[float, float]]
 """(angle [rad], angular velocity [rad/s], dt [s], L [m], g [m/s²]) -> the next angle and

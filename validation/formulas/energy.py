@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from validation.formulas.array_type import Array
+from validation.formulas import Array
 from validation.formulas.runge_kutta import solution
 
 Curve = Callable[[Array], Array]

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from validation.formulas.array_type import Array
+from validation.formulas import Array
 
 
 def free_fall_height(height: float, g: float, t: ArrayLike) -> Array:

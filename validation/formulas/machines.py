@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from validation.formulas.array_type import Array
+from validation.formulas import Array
 from validation.formulas.runge_kutta import solution
 
 SPAN = 2.0

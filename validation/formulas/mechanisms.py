@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from validation.formulas.array_type import Array
+from validation.formulas import Array
 from validation.formulas.runge_kutta import solution
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from validation.formulas.array_type import Array
+from validation.formulas import Array
 
 
 def incline_acceleration(angle: float, g: float, mu: float = 0.0) -> float:

@@ -7,8 +7,7 @@ a sphere, 2/3 for a hollow sphere, and 0 for a body that slides without friction
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from validation.formulas import oscillators
-from validation.formulas.array_type import Array
+from validation.formulas import Array, oscillators
 from validation.formulas.oscillators import pendulum_period
 
 HOOP = 1.0

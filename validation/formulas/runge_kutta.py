@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from validation.formulas.array_type import Array
+from validation.formulas import Array
 
 RELATIVE, ABSOLUTE = 2.3e-14, 1e-15
 """The tolerances of a step: about a hundred roundings, the least that SciPy accepts."""

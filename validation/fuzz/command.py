@@ -17,7 +17,6 @@ import typer
 
 from sandbox.model.file_writing import folder_of_files, write_atomically
 from validation import output
-from validation.environment import environment
 from validation.fuzz.coverage_guided_levels import available, guided
 from validation.fuzz.input_repair import answered
 from validation.fuzz.isolated_trial import Trial, Tried
@@ -88,11 +87,10 @@ def _report(found: Findings, seed: int, seconds: float, json_file: Path | None) 
     how = "led by Atheris" if found.guided else "drawn at random"
     total = f"{found.answers.total():,} levels, {how}, in {seconds:.0f} s"
     wrong = (f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
-    content = {
-        "environment": environment(), "seed": seed, "guided": found.guided,
-        "count": found.answers.total(), "seconds": seconds, "answers": dict(found.answers),
-        "failures": found.failures, "passed": not found.failures,
-    }  # fmt: skip
+    content = output.content(
+        seed=seed, guided=found.guided, count=found.answers.total(), seconds=seconds,
+        answers=found.answers, failures=found.failures, passed=not found.failures,
+    )  # fmt: skip
     with output.written(content, json_file):
         typer.echo(f"{total}: {answers or 'none'}.")
         output.complain(wrong)

@@ -12,7 +12,7 @@ from pydantic import TypeAdapter, ValidationError
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import read_ordinary, without_links
-from validation import suite
+from validation import output, suite
 from validation.case import Case, Outcome
 from validation.case_loading import read
 from validation.cases import PHENOMENA, all_cases
@@ -73,7 +73,8 @@ class Part:
 
 
 def _cases(quick: bool) -> Content:
-    return suite.content(suite.outcomes(quick_cases() if quick else list(all_cases())))
+    found = suite.outcomes(quick_cases() if quick else list(all_cases()))
+    return output.content(cases=found)
 
 
 def quick_cases() -> list[Case]:
@@ -91,7 +92,7 @@ def _effects(quick: bool) -> Content:
 
 def _stability(quick: bool) -> Content:
     found = [run(name, quick=True) for name in HARD] if quick else stability.measured(quick=False)
-    return stability.content(found)
+    return output.content(cases=found)
 
 
 PARTS = (

@@ -11,15 +11,15 @@ from matplotlib.figure import Figure
 from sandbox.model.errors import SandboxError
 from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS
 from sandbox.reporting import html_pages, plot_style
-from sandbox.reporting.svg import inline
+from sandbox.reporting.html_pages import inline
 from validation.cost import figure as cost_figure
 from validation.cost import report as cost_report
 from validation.cost.summary import TARGETS, cost_to_reach, next_digit
 from validation.cost.sweep import NAIVE, Sweep
 from validation.effects import figure as effects_figure
+from validation.effects.command import rows
 from validation.effects.cost_growth import Growth
 from validation.effects.costs import EffectCost, LevelCost
-from validation.effects.tables import rows
 from validation.report import measurements
 from validation.report.digest.claims import Cases, cases, chosen, share
 from validation.report.digest.costs import Costs, Requests, costs, hooks

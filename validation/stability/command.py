@@ -1,14 +1,10 @@
 """`python -m validation stability`."""
 
-from collections.abc import Sequence
-from dataclasses import asdict
 from pathlib import Path
 
 import typer
 
 from validation import output
-from validation.environment import environment
-from validation.output import finite
 from validation.stability import frontier_history
 from validation.stability.families import all_cases, all_frontiers
 from validation.stability.report import failures, out_of_reach, standing, tables
@@ -21,7 +17,7 @@ def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
     Raises `SandboxError` if the outcome cannot be written.
     """
     found = measured(quick=quick)
-    with output.written(content(found), json_file):
+    with output.written(output.content(cases=found), json_file):
         output.show(*tables(found))
         _tell(found)
     if update:
@@ -40,11 +36,6 @@ def measured(*, quick: bool) -> list[Outcome]:
     names = [c.name for c in all_cases()] + [f.name for f in all_frontiers()]
     found = output.progress(outcomes(quick=quick), "Hard cases", len(names))
     return sorted(found, key=lambda outcome: names.index(outcome.name))
-
-
-def content(found: Sequence[Outcome]) -> dict[str, object]:
-    """Return outcomes as the content of the JSON file."""
-    return {"environment": environment(), "cases": [finite(asdict(o)) for o in found]}
 
 
 def _tell(found: list[Outcome]) -> None:

@@ -28,7 +28,7 @@ def _cases(outcomes: Iterable[Outcome]) -> Table:
             f"{o.bound:.2g}",
             "" if o.order is None else f"{o.order:.2f}",
             "" if math.isnan(o.cost) else f"{o.cost:.3f} s/s",
-            _mark(o),
+            output.mark(passed=o.passed, beyond=bool(o.beyond)),
         )
     return table
 
@@ -47,15 +47,9 @@ def _frontiers(outcomes: Iterable[Outcome]) -> Table:
             f"{o.cost:.3f} s/s",
             "" if o.rate is None else f"{o.rate:,.0f} Hz",
             "" if o.naive_rate is None else f"{o.naive_rate:,.0f} Hz",
-            _mark(o),
+            output.mark(passed=o.passed, beyond=bool(o.beyond)),
         )
     return table
-
-
-def _mark(o: Outcome) -> str:
-    if o.passed:
-        return "[green]✓[/]"
-    return "[yellow]–[/]" if o.beyond else "[red]✗[/]"
 
 
 def number(value: float | None) -> str:

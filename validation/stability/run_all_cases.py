@@ -1,6 +1,5 @@
 """Running cases and frontiers on all cores."""
 
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
@@ -71,7 +70,7 @@ def outcomes(*, quick: bool) -> Iterator[Outcome]:
     long = [name for name in steps if steps[name] >= LONG]
     short = [name for name in steps if steps[name] < LONG]
     names = [*long, *frontiers, *short]
-    for _, outcome in spread(partial(run, quick=quick), names, os.cpu_count() or 1):
+    for _, outcome in spread(partial(run, quick=quick), names):
         yield outcome
 
 

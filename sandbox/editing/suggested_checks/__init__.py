@@ -21,7 +21,6 @@ from sandbox.editing.suggested_checks import (
     pendulum,
     projectile,
     pulleys,
-    spring_pendulum,
 )
 from sandbox.editing.suggested_checks.recogniser_input import Scene, Suggestion
 from sandbox.editing.text_patches import Changes, put, remove
@@ -38,7 +37,6 @@ _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
     collision.suggestions,
     projectile.suggestions,
     oscillator.suggestions,
-    spring_pendulum.suggestions,
     capstan.suggestions,
 )
 

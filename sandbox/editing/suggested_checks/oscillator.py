@@ -1,6 +1,7 @@
 """A body on a spring: s(t) = s0 cos ωt + v0/ω sin ωt about its equilibrium, ω = √(k/m).
 
-Damped, γ = c/2m: s(t) = e^(−γt) (s0 cos ωt + (v0 + γ s0)/ω sin ωt), ω = √(k/m − γ²).
+Damped, γ = c/2m: s(t) = e^(−γt) (s0 cos ωt + (v0 + γ s0)/ω sin ωt), ω = √(k/m − γ²). If it swings
+aside there is no closed form, but energy is conserved.
 """
 
 from collections.abc import Iterator
@@ -14,6 +15,7 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     Scene,
     Suggestion,
     check,
+    opposite,
     rate_of,
     said,
 )
@@ -29,17 +31,23 @@ NEAR = 1e-4
 FEW = 40
 """The least number of steps in a period, however short the run."""
 
+STEPS = 200
+"""The number of steps in an oscillation along the spring of a body that swings aside."""
+
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms for bodies that oscillate along a spring."""
+    """Yield the closed forms for bodies on springs, and the energies of those that swing aside."""
     if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
-    for joint in scene.level.joints.values():
-        if isinstance(joint, Spring) and (bob := held_by(scene, joint)):
-            yield from _along(scene, joint, bob)
+    springs = [joint for joint in scene.level.joints.values() if isinstance(joint, Spring)]
+    held = [(joint, bob) for joint in springs if (bob := _held_by(scene, joint))]
+    for joint, bob in held:
+        yield from _along(scene, joint, bob)
+    for joint, bob in held if scene.fall is not None and len(scene.dynamic) == 1 else ():
+        yield from _aside(scene, joint, bob)
 
 
-def held_by(scene: Scene, joint: Spring) -> str | None:
+def _held_by(scene: Scene, joint: Spring) -> str | None:
     """Return the body that a linear spring ties by its centre to the plane, or None."""
     linear = not joint.pushes_only and joint.law is None and joint.stiffness(scene.values) > 0
     return scene.held_by(joint) if linear else None
@@ -110,3 +118,40 @@ def _rate(omega: float, lasts: float, share: float) -> float:
     """
     late = share * NEAR / 2
     return max(sqrt(omega**3 * lasts / 24 / late), omega * FEW / (2 * pi))
+
+
+def _aside(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
+    """Yield the energy of a single body released on an unstretched spring without damping."""
+    assert scene.fall is not None
+    if joint.length is not None or joint.damping.source != 0:
+        return
+    if all(_swings(each, joint, bob) for each in scene.everywhere):
+        weight = f"{scene.mass(bob)}*{opposite(scene.fall)}"
+        energy = f"{weight}*{said(scene.level.bodies[bob].position[1])}"
+        beat = max(_beat(each, joint, bob) for each in scene.everywhere)
+        told = check("energy", "system.energy", energy, NEAR, scale=weight)
+        yield Suggestion("spring pendulum", (bob,), (told,), rate_of(STEPS * beat))
+
+
+def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
+    """Return whether a bob is released beside its peg, with nothing within its reach.
+
+    At a distance r from the peg, k (r - L)²/2 ≤ m g (r + h), if it starts h above the peg.
+    """
+    assert scene.fall is not None
+    peg = place(joint.ends[1] if body_of(joint.ends[0]) else joint.ends[0], {}, scene.values)
+    way = scene.where[bob].center - peg
+    if not way.real or not scene.rests(bob):
+        return False
+    sag = -scene.fall(scene.values) / (2 * pi * _beat(scene, joint, bob)) ** 2
+    far = abs(way) + sag + sqrt(sag**2 + 2 * sag * (abs(way) + way.imag))
+    contact = scene.level.effects.contact is not None
+    others = [name for name in scene.where if name != bob and contact]
+    return all(scene.distance(bob, -way, other) > far for other in others)
+
+
+def _beat(scene: Scene, joint: Spring, bob: str) -> float:
+    """Return the frequency of oscillation along the spring [Hz]."""
+    mass = scene.level.bodies[bob].mass
+    assert mass is not None
+    return sqrt(joint.stiffness(scene.values) / mass(scene.values)) / (2 * pi)

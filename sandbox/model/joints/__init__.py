@@ -13,11 +13,10 @@ from sandbox.model.base import Model
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Expression
 from sandbox.model.functions import Curve
-from sandbox.model.joints.contract import FIXED, Kind, kinds
-from sandbox.model.joints.ends import ENDS as ENDS
-from sandbox.model.joints.ends import BodyEnd
-from sandbox.model.joints.ends import End as End
-from sandbox.model.joints.ends import Held as Held
+from sandbox.model.joints.contract import ENDS as ENDS
+from sandbox.model.joints.contract import FIXED, BodyEnd, Kind, kinds
+from sandbox.model.joints.contract import End as End
+from sandbox.model.joints.contract import Held as Held
 from sandbox.model.joints.gears import Gear as Gear
 from sandbox.model.joints.gears import Rack as Rack
 from sandbox.model.joints.stops import AngleStop as AngleStop

@@ -1,4 +1,4 @@
-"""The contract of a kind of joint: its declaration (see `docs/how-to/add-a-joint.md`).
+"""The contract of a kind of joint: its declaration and its ends (see `docs/how-to/add-a-joint.md`).
 
 A joint is a frozen model beside the others in `sandbox/model/joints/__init__.py`, a member of the
 union `Joint` there, with a `kind` as below; `sandbox/physics/joints/make_joint_equations.py` makes
@@ -12,10 +12,15 @@ changes with time follows from its formulas.
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import get_args
+from typing import Annotated, get_args
+
+from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import Effect, IncompleteError
+from sandbox.model.number_bounds import Coordinate
+from sandbox.model.reference_fields import BodyName
+from sandbox.model.shapes import Point
 
 FIXED = {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"}
 """The quantities of a joint that keeps an angle."""
@@ -67,3 +72,38 @@ def _kind(joint: type[Model]) -> Kind:
         rule = f"add 'kind: ClassVar[Kind] = Kind(...)' to {place}"
         raise IncompleteError(f"the joint '{_type(joint)}' has no declaration: {rule}")
     return kind
+
+
+class Held(Model):
+    """A point of a body."""
+
+    body: BodyName
+    """the body"""
+    at: Point = (Coordinate(0), Coordinate(0))
+    """[x, y] in m, relative to the body's position, in its frame"""
+
+
+ENDS = ("a body", "a point of a body", "a fixed point")
+"""The kinds of ends."""
+
+
+def _end_kind(end: object) -> str | None:
+    kinds = ((str,), (Held, Mapping), (list, tuple))
+    return next(
+        (kind for kind, types in zip(ENDS, kinds, strict=True) if isinstance(end, types)), None
+    )
+
+
+End = Annotated[
+    Annotated[BodyName, Tag("a body")]
+    | Annotated[Held, Tag("a point of a body")]
+    | Annotated[Point, Tag("a fixed point")],
+    Discriminator(_end_kind),
+]
+"""The end of a joint: the centre of a body, a point of it, or a fixed point [x, y] in m."""
+
+BodyEnd = Annotated[
+    Annotated[BodyName, Tag("a body")] | Annotated[Held, Tag("a point of a body")],
+    Discriminator(_end_kind),
+]
+"""An end that must be on a body."""

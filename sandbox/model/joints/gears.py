@@ -3,8 +3,7 @@
 from typing import ClassVar, Literal
 
 from sandbox.model.base import Model
-from sandbox.model.joints.contract import Kind
-from sandbox.model.joints.ends import End
+from sandbox.model.joints.contract import End, Kind
 from sandbox.model.number_bounds import Extent, Load, Ratio
 from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point

@@ -4,8 +4,7 @@ from typing import ClassVar, Literal
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Fraction
-from sandbox.model.joints.contract import Kind
-from sandbox.model.joints.ends import End
+from sandbox.model.joints.contract import End, Kind
 from sandbox.model.number_bounds import Angle, Travel
 from sandbox.model.shapes import Point
 

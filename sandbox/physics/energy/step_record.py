@@ -70,24 +70,28 @@ class StepRecord(NamedTuple):
         return len(self.parts) > 1
 
 
-class Recorded(Protocol):
-    """A run whose books can be kept."""
+class Measured(Protocol):
+    """A run whose quantities are measured."""
 
     @property
     def level(self) -> Level:
-        """The level that runs."""
+        """The level, which determines the quantities that exist."""
 
     @property
     def values(self) -> Values:
         """The parameters of the level."""
 
     @property
-    def stepping(self) -> Stepping:
-        """How time advances."""
-
-    @property
     def scene(self) -> Scene:
         """The masses, laws and joints of the bodies."""
+
+
+class Recorded(Measured, Protocol):
+    """A run whose books can be kept."""
+
+    @property
+    def stepping(self) -> Stepping:
+        """How time advances."""
 
     @property
     def last(self) -> StepRecord:

@@ -33,12 +33,21 @@ def root(function: Callable[[float], float], until: float, close: float = CLOSE)
     return high
 
 
-def secant(
-    first: tuple[float, float], second: tuple[float, float], other: float, most: float
-) -> float:
-    """Return where a line through two points (x, y) is 0; `other` if not between 0 and `most`."""
-    (start, before), (end, after) = first, second
-    if after == before:
-        return other
-    zero = end - after * (end - start) / (after - before)
-    return zero if 0 < zero < most else other
+class SecantMethod:
+    """Finds x = f(x) between 0 and `most` by the secant method; f is given point by point.
+
+    `known` is a point (x, f(x)) to begin with; without it, f of the first point is tried next.
+    """
+
+    def __init__(self, most: float, known: tuple[float, float] | None = None) -> None:
+        self._most = most
+        self._known = (known[0], known[0] - known[1]) if known else None
+
+    def following(self, x: float, value: float) -> float:
+        """Return the next x to try after one with a value f(x)."""
+        known, off = self._known, x - value
+        self._known = x, off
+        if known is None or off == known[1]:
+            return value
+        zero = x - off * (x - known[0]) / (off - known[1])
+        return zero if 0 < zero < self._most else value

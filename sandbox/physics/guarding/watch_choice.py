@@ -1,6 +1,5 @@
 """The watch over a run: its protocol, and its choice by what can go wrong in the level."""
 
-from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -45,16 +44,10 @@ def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array)
     watch: Watch
     with np.errstate(all="ignore"):  # the watch reports non-finite values by name
         if touching or scene.laws or scene.turns or run.level.joints:
-            watch = _watchdog(run, now, contacts)
+            from sandbox.physics.guarding.watchdog import Watchdog  # few levels go without
+
+            watch = Watchdog(run, now, contacts)
         else:
             watch = FreeFallWatch(scene, run.stepping, now)
         watch.look(now, contacts, begun, disturbed=True)
     return watch
-
-
-def _watchdog(run: "Recorded", now: Snapshot, contacts: Contacts) -> Watch:
-    from sandbox.physics.guarding.driven_energy_audit import Audit
-    from sandbox.physics.guarding.watchdog import Watchdog
-
-    built = run.level, run.values, run.stepping, run.scene
-    return Watchdog(*built, now, contacts, partial(Audit, run))

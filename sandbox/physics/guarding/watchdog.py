@@ -6,20 +6,19 @@ deliberately bad: for them it only checks that numbers stay finite, and that the
 keep multiplying.
 """
 
-from collections.abc import Callable
 from math import inf, isfinite
 from typing import NoReturn
 
 import numpy as np
 
 from sandbox.model import ledger_accounts
-from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping
+from sandbox.model.expressions import Array
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.contacts.detection.pair_limit import crowded, most_pairs
+from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.space_arrays import Contacts, Integers
 from sandbox.physics.guarding.body_thickness import thickness
-from sandbox.physics.guarding.driven_energy_audit import Audit
+from sandbox.physics.guarding.energy_audit import DrivenAudit, PassiveAudit
 from sandbox.physics.guarding.least_step_rate import RateBound, called, slowing, steepness
 from sandbox.physics.guarding.lost_bodies import (
     gives_some,
@@ -28,8 +27,6 @@ from sandbox.physics.guarding.lost_bodies import (
     refuse_lost,
     stop,
 )
-from sandbox.physics.guarding.passive_energy_audit import Gains
-from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import MARGIN, limit
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, kinetic_energy
@@ -72,41 +69,32 @@ NUDGE = 1e-6
 class Watchdog:
     """Watches a world from its start; n bodies.
 
-    `start` and `contacts` are those at the start; `audit` makes the check for unexplained energy in
-    scenes with energy input. `good` is the last state that passed the checks. `doubts` tells
-    whether it stopped a run that could go on but cannot be trusted, because of an overlap, a joint
-    error, or unexplained energy. `trusts` tells whether it lets such runs go on: it then stops only
-    runs that are lost, or too large for a step.
+    `start` and `contacts` are those at the start of the `run`. `good` is the last state that passed
+    the checks. `doubts` tells whether it stopped a run that could go on but cannot be trusted,
+    because of an overlap, a joint error, or unexplained energy. `trusts` tells whether it lets such
+    runs go on: it then stops only runs that are lost, or too large for a step.
     """
 
-    def __init__(
-        self,
-        level: Level,
-        values: Values,
-        stepping: Stepping,
-        scene: Scene,
-        start: Snapshot,
-        contacts: Contacts,
-        audit: Callable[[float, float, bool], Audit],
-    ) -> None:
+    def __init__(self, run: Recorded, start: Snapshot, contacts: Contacts) -> None:
+        level, stepping, scene = run.level, run.stepping, run.scene
         self._scene, self._names, self._rate = scene, list(scene.bodies), stepping.rate
         self._strict, self._scheme = not stepping.is_stock, stepping.scheme
         joined = scene.joints.together is not None and level.effects.contact is not None
         self._turns = joined and scene.direct is None
         self._most_pairs = most_pairs(stepping.iterations, direct=scene.direct is not None)
         self._thick = np.where(
-            scene.mass > 0, [thickness(body, values) for body in level.bodies.values()], inf
+            scene.mass > 0, [thickness(body, run.values) for body in level.bodies.values()], inf
         )
         self._allowed: tuple[Integers | None, Array] = None, self._thick  # allowed overlaps
         self._apart = float(self._depth(contacts).max(initial=0.0)) < LITTLE
         self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
         swing = self._swings(start) if self._strict else DIVERGED
         thick = np.where(np.isfinite(self._thick), self._thick, 0.0)
-        self._gains = Gains(scene, start, thick, swing, stepping.rate)
+        self._gains = PassiveAudit(scene, start, thick, swing, stepping.rate)
         self._closed = not ledger_accounts.works(level)
         self._audit = None
         if not stepping.is_composed and not self._closed:
-            self._audit = audit(self._gains.least, swing, not self._strict)
+            self._audit = DrivenAudit(run, self._gains.least, swing, not self._strict)
         self._deep: dict[tuple[int, int], Array] = {}  # normals of deep overlaps, by pair
         self._recent = [start]
         self.good = start

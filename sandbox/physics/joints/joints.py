@@ -1,6 +1,6 @@
 """The joints of a scene, for its steps and for measurements."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from sandbox.physics.joints.exact.bead_on_wire import WireEquation
     from sandbox.physics.joints.exact.joint_system import JointSystem
     from sandbox.physics.joints.exact.shake import ExactJoints
-    from sandbox.physics.joints.latches import Latches
     from sandbox.physics.joints.pulley import PulleyString
     from sandbox.physics.joints.pymunk_joints import OwnJoint
     from sandbox.physics.joints.welded_bodies import Solids, Touches
     from sandbox.physics.state.anchor import Anchor
+
 
 NO_PAIRS: Integers = np.empty((0, 2), dtype=np.intp)
 
@@ -130,3 +130,19 @@ class Joints:
                 elif self.together:
                     torque[i] = self.together.torque(name)
         return torque
+
+
+@dataclass(frozen=True, slots=True)
+class Latches:
+    """The joints of a scene that events tie."""
+
+    names: frozenset[str]
+    """The names of these joints, which are inactive until they are tied."""
+    tie: Callable[[Collection[str], float], None]
+    """Ties joints that are solved together with others, at a time [s]."""
+    tied: dict[str, float] = field(default_factory=dict)
+    """The times at which joints were tied, by name [s]."""
+
+    def is_open(self, name: str, t: float) -> bool:
+        """Return whether a joint is still open at a time [s]."""
+        return name in self.names and not t >= self.tied.get(name, np.inf)

@@ -40,11 +40,10 @@ from sandbox.physics.forces.spring import Law, SpringForce
 from sandbox.physics.joints.exact.angle_equations import where
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation
 from sandbox.physics.joints.exact.distance_equations import Row
-from sandbox.physics.joints.exact.equation_limit import refuse_too_many
+from sandbox.physics.joints.exact.joint_failures import refuse_too_many
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.joints.joints import Joints
-from sandbox.physics.joints.latches import Latches
+from sandbox.physics.joints.joints import Joints, Latches
 from sandbox.physics.joints.make_joint_equations import (
     JointEquations,
     Solved,

@@ -3,37 +3,19 @@
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from math import nan
-from typing import Protocol
 
 import numpy as np
 
-from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level
+from sandbox.model.expressions import Array
 from sandbox.model.quantities import COUNT, WITHIN, Component, Quantity, QuantityError, quantity
 from sandbox.model.shapes import evaluate
 from sandbox.model.translatable_message import Message
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.energy.step_record import Measured
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 
 Measurement = Callable[[Snapshot], Array]
-
-
-class Measured(Protocol):
-    """A run whose quantities are measured."""
-
-    @property
-    def level(self) -> Level:
-        """The level, which determines the quantities that exist."""
-
-    @property
-    def values(self) -> Values:
-        """The parameters of the level."""
-
-    @property
-    def scene(self) -> Scene:
-        """The masses, laws and joints of the bodies."""
 
 
 class Meter:

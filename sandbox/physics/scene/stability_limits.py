@@ -123,7 +123,7 @@ def _held(taken: Array, inverse_mass: Array, joints: Joints) -> float:
         slowed = decay * (rates - kept.T @ (kept @ rates))
         return np.asarray(slowed - kept.T @ (kept @ slowed))
 
-    from sandbox.physics.scene.largest_eigenvalue import largest_eigenvalue
+    from sandbox.physics.scene.spring_modes import largest_eigenvalue
 
     return max(others, largest_eigenvalue(decay.size, matrix, times))
 

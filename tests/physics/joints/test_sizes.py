@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.physics.joints.exact import equation_limit
+from sandbox.physics.joints.exact import joint_failures
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import GRAVITY, disc, level
@@ -24,7 +24,7 @@ def test_a_chain_longer_than_a_step_can_solve_is_refused_at_its_last_joint() -> 
 
 
 def test_rods_apart_from_each_other_may_be_more(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(equation_limit, "MOST_PRODUCTS", 1000)  # 9² * 11, and no more
+    monkeypatch.setattr(joint_failures, "MOST_PRODUCTS", 1000)  # 9² * 11, and no more
 
     chained(9, apart=True)
     with pytest.raises(SimulationError, match="10 equations among 11 bodies; at most 9 can"):
@@ -32,7 +32,7 @@ def test_rods_apart_from_each_other_may_be_more(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_bodies_that_no_joint_holds_count_too(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(equation_limit, "MOST_TERMS", 100)
+    monkeypatch.setattr(joint_failures, "MOST_TERMS", 100)
 
     chained(4, apart=True, free=10)
     with pytest.raises(SimulationError, match="4 equations among 28 bodies; at most 3 can"):

@@ -9,7 +9,7 @@ from sandbox.physics.contacts.direct.drifts.first_meeting import (
     MeetingFinder,
     PossibleMeetings,
 )
-from sandbox.physics.geometry.root_finding import secant
+from sandbox.physics.geometry.root_finding import SecantMethod
 
 REFINED = 6
 """The most refinements of a landing's time: the forces of joints depend on it."""
@@ -48,13 +48,11 @@ def _until(
     The time of the landing depends on the length for which the part is solved. The secant method
     finds where the two are equal.
     """
-    shorter, known = part, (part.drift, part.drift - met.time)
+    shorter, times = part, SecantMethod(part.drift, (part.drift, met.time))
     for _ in range(REFINED):
         shorter = shortened(part, met.time, shorter)
         again = meetings.first(shorter, part.drift, met.again)
         if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
             break
-        tried = met.time, met.time - again.time
-        met = again._replace(time=secant(known, tried, again.time, part.drift))
-        known = tried
+        met = again._replace(time=times.following(met.time, again.time))
     return shorter, met

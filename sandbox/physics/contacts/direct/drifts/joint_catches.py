@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.contacts.direct.drifts.first_landing import REFINED, Shortened
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.geometry.root_finding import root, secant
+from sandbox.physics.geometry.root_finding import SecantMethod, root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.shake import ExactJoints
 
@@ -92,13 +92,11 @@ def until_caught(
     `part` is loose; for the other parameters see `catch_time`. The time depends on the length for
     which the part is solved, as in `first_landing`.
     """
-    shorter, known = part, (part.drift, part.drift - time)
+    shorter, times = part, SecantMethod(part.drift, (part.drift, time))
     for _ in range(REFINED):
         shorter = shortened(part, time, shorter)
         again = catch_time(shorter, laws, until, part.drift)
         if again == inf or abs(again - time) <= EXACT * part.drift:
             break
-        tried = time, time - again
-        time = secant(known, tried, again, part.drift)
-        known = tried
+        time = times.following(time, again)
     return shorter

@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.geometry.root_finding import secant
+from sandbox.physics.geometry.root_finding import SecantMethod
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 LEAST = 1e-8
@@ -65,16 +65,14 @@ def until_it_stops(
     and `laws` see `slip_ends`. `shortened` returns the part with a shorter drift [s], with a
     similar part to begin with.
     """
-    shorter, time, known = part, part.drift, (0.0, 0.0)
+    shorter, time, times = part, part.drift, SecantMethod(part.drift)
     for _ in range(TRIES):
         slips = ends[shorter.active.slip[ends] != 0]
         if len(slips):
             again = _ends(shorter, laws, slips)
             if abs(again - time) <= SURE * part.drift:
                 return None if shorter is part else shorter
-            tried = time, time - again
-            time = secant(known, tried, again, part.drift) if known[0] else again
-            known = tried
+            time = times.following(time, again)
         elif shorter is part:  # it sticks all the time: does it slip at first?
             time = SOON * part.drift
         else:

@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import ConstraintImpulses, hold
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.guarding.passive_energy_audit import Gains
+from sandbox.physics.guarding.energy_audit import PassiveAudit
 from sandbox.physics.measuring.impacts import impacts
 from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.run import build
@@ -301,13 +301,13 @@ def test_the_watchdog_does_not_take_a_bounce_for_what_is_lifted(
 ) -> None:
     """It would let pass as much more energy from nowhere, with each bounce."""
     lifted: list[float] = []
-    follow = Gains.follow
+    follow = PassiveAudit.follow
 
-    def noted(self: Gains, now: Snapshot, contacts: Contacts, before: Array | None) -> None:
+    def noted(self: PassiveAudit, now: Snapshot, contacts: Contacts, before: Array | None) -> None:
         follow(self, now, contacts, before)
         lifted.append(self.lifted)
 
-    monkeypatch.setattr(Gains, "follow", noted)
+    monkeypatch.setattr(PassiveAudit, "follow", noted)
     world = build(dropped(60, SCENES["a disc"], bounces=True))
     for _ in range(60):
         world.advance()

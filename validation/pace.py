@@ -1,22 +1,26 @@
-"""The processor time of a level's step.
+"""`python -m validation pace`: the processor time of each level's step.
 
 A core is half as fast while its twin is busy, and machines differ by more. Loads are therefore also
 given for a reference machine: the measured time, divided by the time of the yardstick beside it,
 times the yardstick's time on that machine.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from math import inf
+from pathlib import Path
 from time import process_time
 
 import numpy as np
+from rich.table import Table
 
-from sandbox.model.level_catalog import find
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
+from validation import output
 
 REFERENCE = 3.05e-3
 """The time of the yardstick on an idle core of the reference machine [s]: a slow one, two cores of
@@ -30,7 +34,6 @@ SIZE = 12
 
 _MATRIX = np.eye(SIZE) * SIZE + np.cos(np.arange(SIZE**2)).reshape(SIZE, SIZE)
 _VECTOR = np.sin(np.arange(SIZE))
-
 
 REPEATS = 3
 """The most timings of a run; the fastest counts, since disturbances only add time."""
@@ -71,7 +74,7 @@ def pace(name: str) -> Pace:
 
     Raises `SandboxError` if there is no such level, or it does not run.
     """
-    level = load(find(name))
+    level = load(level_catalog.find(name))
     start = partial(build, level)
     seconds = least = inf
     steps, spent = 1, 0.0
@@ -126,3 +129,35 @@ def yardstick() -> float:
             place = 0.5 * place + abs(place - turn) / (1.0 + place * place)
         found = np.clip(found, -1.0, place)
     return process_time() - begun
+
+
+def measure(names: Sequence[str], json_file: Path | None) -> list[str]:
+    """Measure levels, print the table, write it if asked to, and return the slow levels.
+
+    Raises `SandboxError` if there is no such level, it does not run, or the file cannot be written.
+    """
+    names = list(names) or level_catalog.names()
+    for name in names:
+        level_catalog.find(name)
+    found = output.progress(map(pace, names), "Measuring what levels need", len(names))
+    with output.written(output.content(levels=found), json_file):
+        output.show(table(found))
+    slow = [each.level for each in found if not each.in_time]
+    output.complain(slow)
+    return slow
+
+
+def table(found: Sequence[Pace]) -> Table:
+    """Return the load of each level, the highest first, as a table for the terminal."""
+    headings = ("rate", "a step", "of this core", "of the reference", "")
+    shown = output.table("What levels need", "level", headings)
+    for each in sorted(found, key=lambda pace: -pace.reference_load):
+        shown.add_row(
+            each.level,
+            f"{each.rate:g} Hz",
+            f"{each.step_seconds * 1e6:.3g} µs",
+            f"{100 * each.load:.2g} %",
+            f"{100 * each.reference_load:.2g} %",
+            output.mark(passed=each.in_time),
+        )
+    return shown

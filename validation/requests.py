@@ -1,4 +1,4 @@
-"""A request for an accuracy, and its outcome.
+"""`python -m validation requests`: random requests for an accuracy, and their outcomes.
 
 A setting is compared with a run at a much smaller step, and with cheaper settings.
 """
@@ -8,7 +8,10 @@ from contextlib import suppress
 from dataclasses import dataclass
 from itertools import count
 from math import floor, inf, isnan, log2, nan
+from pathlib import Path
 from random import Random
+
+import typer
 
 from sandbox.model import level_catalog
 from sandbox.model.expressions import Values
@@ -22,6 +25,7 @@ from sandbox.physics.accuracy.step_refinement import furthest
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.scene.usable_schemes import usable
 from sandbox.physics.state.errors import SimulationError
+from validation import output
 
 TARGETS = (1e-3, 1e-6, 1e-9)
 
@@ -166,3 +170,42 @@ def _cheaper(
                 if furthest(run, best, wanted)[0] <= setting.target:
                     return f"{scheme} at {rate:g} Hz"
     return ""
+
+
+def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> bool:
+    """Request accuracies, print the missed ones, and return whether all promises hold.
+
+    The seed is that of the first request. The outcomes go to the JSON file, if any. By default
+    there are as many processes as cores. Raises `SandboxError` if the file cannot be written.
+    """
+    trials = output.spread_in_order(trial, range(seed, seed + count), "Asking", jobs)
+    with output.written(output.content(requests=trials), json_file):
+        typer.echo(summary(trials))
+        output.complain(complaints(trials))
+    return all(each.kept and each.honest for each in trials if each.looked_at)
+
+
+def summary(trials: Sequence[Trial]) -> str:
+    """Return a line that says how many accuracies were delivered."""
+    seen = [each for each in trials if each.looked_at]
+    refused = sum(each.refused for each in trials)
+    return (
+        f"{len(trials)} accuracies requested: {refused} refused, {len(seen)} compared; "
+        f"of these {sum(each.kept for each in seen)} delivered, "
+        f"{sum(each.honest for each in seen)} with the stated error, "
+        f"{sum(not each.cheaper for each in seen)} at up to three times the least cost"
+    )
+
+
+def complaints(trials: Sequence[Trial]) -> list[str]:
+    """Return messages about broken promises."""
+    found = []
+    for each in trials:
+        if each.looked_at and not (each.kept and each.honest and not each.cheaper):
+            at = ", ".join(f"{name}={value:.6g}" for name, value in each.values.items())
+            instead = f"; cheaper: {each.cheaper}" if each.cheaper else ""
+            found.append(
+                f"seed {each.seed}: {each.level} ({at}): {each.answer}; delivered "
+                f"{each.delivered:.1e}{instead}"
+            )
+    return found

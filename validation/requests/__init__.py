@@ -1,1 +1,0 @@
-"""Requests for accuracies of levels at random parameters, and their results."""
