@@ -39,6 +39,9 @@ from sandbox.physics.state.anchor import Plane
 OUT = -FROM_TO
 """The sign of the direction from each of the two bodies to the other."""
 
+ALIKE = 1e-6
+"""m, the largest distance of corners that lie on each other: either may be that on the side."""
+
 
 @dataclass(slots=True)  # not frozen: made in every step
 class Features:
@@ -168,7 +171,7 @@ def features(
     where, turned = place.plane.take(bodies), place.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
     back = turned.conj()
-    owns = _owners(touching, out * back)
+    owns = _owners(touching, out * back, (surfaces - where) * back)
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     if (ends := touching.ends) is not None:
         is_round = is_round & ~ends
@@ -202,16 +205,21 @@ def features(
     )
 
 
-def _owners(touching: ContactPoints, out: Plane) -> Booleans:
+def _owners(touching: ContactPoints, out: Plane, points: Plane) -> Booleans:
     """Return which body has the side: (2, k), at most one of the two at each point.
 
-    `out`, (2, k), is the direction from each body to the other, along its axes.
+    `out`, (2, k), is the direction from each body to the other, and `points`, (2, k), are the
+    contact points on both [m], along their axes. Where sides face each other, a corner of one lies
+    on the side of the other; at each of their two points it may be that of another body.
     """
     owns = touching.outlines.faces(out)
     if touching.ends is not None:
         owns &= ~touching.ends
-    if touching.outlines.sided:
-        owns[0] &= ~(owns[1] & touching.yields)
+    if np.count_nonzero(both := owns[0] & owns[1]):
+        first, second = touching.outlines.from_corners(points)
+        alike = np.abs(first - second) <= ALIKE
+        yields = np.where(alike, touching.yields, first < second)
+        owns[0] &= ~(both & yields)
         owns[1] &= ~owns[0]
     return owns
 
