@@ -61,8 +61,8 @@ class Figures:
         self.plain = not (self.center.any() or self.ends.any())
         self.convex: Booleans = ~np.array([bool(f.ends or f.course) for f in figures], dtype=bool)
         self.courses = {row: f.course for row, f in enumerate(figures) if f.course}
-        self._normals = _padded([figure.normals for figure in figures], np.nan)
-        self.corners = _padded([figure.corners for figure in figures], np.inf)
+        self._normals = _padded([figure.normals for figure in figures])
+        self.corners = _padded([figure.corners for figure in figures])
         self._sided = np.array([len(figure.normals) > 0 for figure in figures], dtype=bool)
 
     def of(self, body: Integers) -> "Outlines":
@@ -100,12 +100,17 @@ class Outlines(NamedTuple):
     sharp: Booleans
     sided: bool
 
-    def faces(self, direction: Plane) -> Booleans:
-        """Return whether they have a side with this normal, along their own axes: (2, k)."""
+    def sides(self, direction: Plane) -> tuple[Plane, Array]:
+        """Return the normals that are nearest to directions, along their own axes: (2, k).
+
+        Also how far they are off, (2, k) [rad]: infinity where there are no sides.
+        """
         if not self.sided:
-            return np.zeros(direction.shape, dtype=bool)
+            return direction, np.full(direction.shape, np.inf)
         off = np.abs(self.normals - direction[..., None])
-        return np.asarray((off < PARALLEL).any(axis=-1))
+        nearest = off.argmin(axis=-1)[..., None]
+        normals, off = (np.take_along_axis(of, nearest, -1)[..., 0] for of in (self.normals, off))
+        return normals, off.real
 
     def from_corners(self, points: Plane) -> Array:
         """Return how far points are from the nearest corner, along their own axes: (2, k) [m]."""
@@ -133,9 +138,9 @@ class Outlines(NamedTuple):
         return np.where(is_round, radius, ends)
 
 
-def _padded(rows: list[Plane], value: float) -> Plane:
-    """Return rows of different lengths, one at least, as a table padded with a value."""
-    table = np.full((len(rows), max([1, *map(len, rows)])), value, dtype=complex)
+def _padded(rows: list[Plane]) -> Plane:
+    """Return rows of different lengths, one at least, as a table padded with infinity."""
+    table = np.full((len(rows), max([1, *map(len, rows)])), np.inf, dtype=complex)
     for row, known in zip(table, rows, strict=True):
         row[: len(known)] = known
     return table
