@@ -21,14 +21,15 @@ class Figure(NamedTuple):
     """The outline of a body, as its contacts need it.
 
     `radius` is the outer radius of a disc, hoop or arc, and 0 of a body with sides; `inner` is the
-    inner radius of a hollow body, else 0 [m]. `normals` are the unit normals of its sides, and
-    `center` is the centre of a disc, hoop or arc [m], both along its axes. `rounding` is the radius
-    of its corners or ends [m]; `ends` tells whether it is an arc with ends. `course` is the shape
-    of a curve; else None.
+    inner radius of a hollow body, else 0 [m]. `normals` are the unit normals of its sides,
+    `corners` are the ends of these, and `center` is the centre of a disc, hoop or arc [m], all
+    along its axes. `rounding` is the radius of its corners or ends [m]; `ends` tells whether it is
+    an arc with ends. `course` is the shape of a curve; else None.
     """
 
     radius: float
     normals: Plane
+    corners: Plane
     rounding: float
     inner: float = 0.0
     center: complex = 0j
@@ -39,9 +40,10 @@ class Figure(NamedTuple):
 class Figures:
     """The outlines of n bodies, as tables.
 
-    `radius`, `rounding`, `inner`, `center` and `ends`, (n,), are as of a `Figure`; `courses` are
-    the shapes of curves, by the indices of their bodies. `convex`, (n,), tells whether a body
-    consists of discs and straight sides alone, seen from outside.
+    `radius`, `rounding`, `inner`, `center` and `ends`, (n,), are as of a `Figure`, and `corners`,
+    (n, most of them), too, padded with infinity. `courses` are the shapes of curves, by the indices
+    of their bodies. `convex`, (n,), tells whether a body consists of discs and straight sides
+    alone, seen from outside.
 
     `thick` tells whether any body has rounded corners or ends that are not sharp; `plain`, whether
     all round bodies are full circles about their bodies' centres; `hollow`, whether any body can be
@@ -59,10 +61,8 @@ class Figures:
         self.plain = not (self.center.any() or self.ends.any())
         self.convex: Booleans = ~np.array([bool(f.ends or f.course) for f in figures], dtype=bool)
         self.courses = {row: f.course for row, f in enumerate(figures) if f.course}
-        most = max((len(figure.normals) for figure in figures), default=0)
-        self._normals = np.full((len(figures), max(most, 1)), np.nan, dtype=complex)
-        for row, figure in enumerate(figures):
-            self._normals[row, : len(figure.normals)] = figure.normals
+        self._normals = _padded([figure.normals for figure in figures])
+        self.corners = _padded([figure.corners for figure in figures])
         self._sided = np.array([len(figure.normals) > 0 for figure in figures], dtype=bool)
 
     def of(self, body: Integers) -> "Outlines":
@@ -100,12 +100,23 @@ class Outlines(NamedTuple):
     sharp: Booleans
     sided: bool
 
-    def faces(self, direction: Plane) -> Booleans:
-        """Return whether they have a side with this normal, along their own axes: (2, k)."""
+    def sides(self, direction: Plane) -> tuple[Plane, Array]:
+        """Return the normals that are nearest to directions, along their own axes: (2, k).
+
+        Also how far they are off, (2, k) [rad]: infinity where there are no sides.
+        """
         if not self.sided:
-            return np.zeros(direction.shape, dtype=bool)
+            return direction, np.full(direction.shape, np.inf)
         off = np.abs(self.normals - direction[..., None])
-        return np.asarray((off < PARALLEL).any(axis=-1))
+        nearest = off.argmin(axis=-1)[..., None]
+        normals, off = (np.take_along_axis(of, nearest, -1)[..., 0] for of in (self.normals, off))
+        return normals, off.real
+
+    def from_corners(self, points: Plane) -> Array:
+        """Return how far points are from the nearest corner, along their own axes: (2, k) [m]."""
+        rounding = self.rounding[..., None]
+        off = np.abs(self.figures.corners[self.body] - points[..., None]) - rounding
+        return np.asarray(np.abs(off).min(axis=-1))
 
     def round(self, where: Plane, turned: Plane, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
         """Return whether they are round at the contact points, and their centres: (2, k).
@@ -125,3 +136,11 @@ class Outlines(NamedTuple):
         radius = self.radius if within is None else np.where(within, self.inner, self.radius)
         ends = 0.0 if bends is None else np.where(bends, self.rounding, 0.0)
         return np.where(is_round, radius, ends)
+
+
+def _padded(rows: list[Plane]) -> Plane:
+    """Return rows of different lengths, one at least, as a table padded with infinity."""
+    table = np.full((len(rows), max([1, *map(len, rows)])), np.inf, dtype=complex)
+    for row, known in zip(table, rows, strict=True):
+        row[: len(known)] = known
+    return table

@@ -1,7 +1,6 @@
 """The contact properties of a level's bodies, as the direct solver needs them."""
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 import pymunk
@@ -85,13 +84,14 @@ def _left_to_it(level: Level) -> Booleans:
 def _figure(spec: Body, values: Values) -> Figure:
     match spec.shape:
         case Disc(radius=radius):
-            return Figure(radius(values), NONE, 0.0)
+            return Figure(radius(values), NONE, NONE, 0.0)
         case Hoop(radius=radius):
-            return Figure(radius(values), NONE, 0.0, inner=radius(values))
+            return Figure(radius(values), NONE, NONE, 0.0, inner=radius(values))
         case Arc(radius=radius, thickness=thickness) as arc:
             middle, half = radius(values), thickness(values) / 2
             return Figure(
                 middle + half,
+                NONE,
                 NONE,
                 half,
                 inner=middle - half,
@@ -99,16 +99,17 @@ def _figure(spec: Body, values: Values) -> Figure:
                 ends=True,
             )
         case Curve(thickness=thickness) as curve:
-            return Figure(0.0, NONE, thickness(values) / 2, course=course_of(curve, values))
+            half, course = thickness(values) / 2, course_of(curve, values)
+            return Figure(0.0, NONE, NONE, half, course=course)
         case Segment(thickness=thickness) | Polyline(thickness=thickness):
-            points = [complex(*point) for point in local_points(spec, values)]
-            sides = np.array([b - a for a, b in pairwise(points)])
-            return Figure(0.0, _normals(np.concatenate((sides, -sides))), thickness(values) / 2)
+            points = np.array([complex(*point) for point in local_points(spec, values)])
+            both = np.concatenate((sides := np.diff(points), -sides))
+            return Figure(0.0, _normals(both), points, thickness(values) / 2)
     corners = np.array([complex(*point) for point in local_points(spec, values)])
     sides = np.roll(corners, -1) - corners
     around = float((corners.conj() * np.roll(corners, -1)).imag.sum())
     rounding = DIRECT_SKIN if isinstance(spec.shape, Polygon) else INSET + DIRECT_SKIN
-    return Figure(0.0, _normals(sides * np.sign(around)), rounding)
+    return Figure(0.0, _normals(sides * np.sign(around)), corners, rounding)
 
 
 def _normals(sides: Plane) -> Plane:

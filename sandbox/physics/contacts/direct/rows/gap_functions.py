@@ -24,7 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.rows.contact_outlines import SHARP, Outlines
+from sandbox.physics.contacts.direct.rows.contact_outlines import PARALLEL, SHARP, Outlines
 from sandbox.physics.contacts.direct.rows.contact_points import FROM_TO, ContactPoints
 from sandbox.physics.contacts.direct.rows.curve_contacts import (
     CurveContact,
@@ -38,6 +38,13 @@ from sandbox.physics.state.anchor import Plane
 
 OUT = -FROM_TO
 """The sign of the direction from each of the two bodies to the other."""
+
+ALIKE = 1e-6
+"""m, the largest distance of corners that lie on each other: either may be that on the side."""
+
+LEANS = 0.1
+"""rad, the largest angle between sides that count as facing each other. Of one contact they have
+one normal, that of one side, though the corner at its other point may lie on the other side."""
 
 
 @dataclass(slots=True)  # not frozen: made in every step
@@ -168,7 +175,7 @@ def features(
     where, turned = place.plane.take(bodies), place.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
     back = turned.conj()
-    owns = _owners(touching, out * back)
+    owns, normals, others = _owners(touching, out * back, (surfaces - where) * back)
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     if (ends := touching.ends) is not None:
         is_round = is_round & ~ends
@@ -186,6 +193,8 @@ def features(
         roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
     circles = _circles(sign, curved, rubs)
     normal = n * place.turned.take(side).conj()
+    if others is not None:
+        normal[others] = np.where(owns[0], normals[0], -normals[1])[others]
     return Features(
         touching=touching,
         points=((at - where) * back).take(touching.rows, axis=1),
@@ -202,18 +211,30 @@ def features(
     )
 
 
-def _owners(touching: ContactPoints, out: Plane) -> Booleans:
+def _owners(
+    touching: ContactPoints, out: Plane, points: Plane
+) -> tuple[Booleans, Plane, Booleans | None]:
     """Return which body has the side: (2, k), at most one of the two at each point.
 
-    `out`, (2, k), is the direction from each body to the other, along its axes.
+    `out`, (2, k), is the direction from each body to the other, and `points`, (2, k), are the
+    contact points on both [m], along their axes. Where sides face each other, a corner of one lies
+    on the side of the other; at each of their two points it may be that of another body. Also the
+    normals that are nearest to `out`, (2, k), and at which points, (k,), it is not the body whose
+    normal the contact has, since sides lean; None if nowhere.
     """
-    owns = touching.outlines.faces(out)
+    normals, off = touching.outlines.sides(out)
     if touching.ends is not None:
-        owns &= ~touching.ends
-    if touching.outlines.sided:
-        owns[0] &= ~(owns[1] & touching.yields)
-        owns[1] &= ~owns[0]
-    return owns
+        off = np.where(touching.ends, np.inf, off)
+    owns, leans = off < PARALLEL, off < LEANS
+    if not np.count_nonzero(leans[0] & leans[1]):
+        return owns, normals, None
+    near = touching.outlines.from_corners(points)
+    alike, both = np.abs(near[0] - near[1]) <= ALIKE, owns[0] & owns[1]
+    yields = np.where(alike, touching.yields, near[0] < near[1])
+    wrong = leans[0] & leans[1] & ~(alike | both) & (owns[0] == yields) & (owns[0] | owns[1])
+    wrong &= near.min(axis=0) <= ALIKE
+    owns = np.where(both, (~yields, yields), owns ^ wrong)
+    return owns, normals, wrong if np.count_nonzero(wrong) else None
 
 
 def _with_curves(
