@@ -16,7 +16,7 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.chaos_detection import foretold
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
 from sandbox.physics.accuracy.counted_step_cost import LOOK, counted_cost
-from sandbox.physics.accuracy.step_refinement import SLOWEST, Refinement, held_against, judged
+from sandbox.physics.accuracy.step_refinement import Refinement, held_against, judged, slowest
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
@@ -29,6 +29,9 @@ FEWEST = 3
 
 DEARER = 2.0
 """The ratio of work to that of another scheme from which a scheme is dropped."""
+
+CONFIRMED = 2.0
+"""The work of confirming a result, as a multiple of the work of the search."""
 
 PATIENCE = 6.0
 """The longest time that the runs may actually take, as a multiple of the counted work; two runs to
@@ -96,7 +99,7 @@ class Refiner:
         if not refinement or len(self._traces) < FEWEST:
             return inf
         rate = refinement.rate_for(self.target) if refinement.believable(self.target) else inf
-        return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
+        return max(rate, slowest(self.stepping)) if rate <= HIGHEST_RATE else inf
 
     def lags(self, enough: float) -> bool:
         """Whether its remaining work is still unknown, and may be within some work [s]."""
@@ -127,7 +130,7 @@ def refine(
         next_ = min(left, key=lambda refiner: refiner.work(refiner.stepping.rate))
         work = next_.work(next_.stepping.rate)
         late = thread_time() - begun > PATIENCE * seconds and refinements
-        if spent + work > seconds or late:
+        if late or spent + work > seconds + _instead(refiners, refinements, seconds):
             break
         if progress:
             progress(spent / seconds, _told(next_.stepping, refinements, next_))
@@ -135,6 +138,20 @@ def refine(
         next_.run(stop)
         refinements = held(refiners)
     return refinements
+
+
+def _instead(refiners: Sequence[Refiner], refinements: Sequence[Refinement], seconds: float) -> float:
+    """Return the further work that is allowed where all is smooth, and no run will do yet [s].
+
+    It is that of confirming the most promising setting, as an extrapolation would have to be.
+    """
+    first = refiners[0]
+    promised = 3 * min(refiner.promised for refiner in refiners)
+    if not first.stepping.is_composed or promised == inf:
+        return 0.0
+    if any(found.cheapest(first.target) for found in refinements):
+        return 0.0
+    return min(promised * first.level.duration(first.values), CONFIRMED * seconds)
 
 
 def at_rate(scheme: Scheme, rate: float) -> Message:
