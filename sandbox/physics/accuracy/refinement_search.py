@@ -30,9 +30,6 @@ FEWEST = 3
 DEARER = 2.0
 """The ratio of work to that of another scheme from which a scheme is dropped."""
 
-CONFIRMED = 2.0
-"""The work of confirming a result, as a multiple of the work of the search."""
-
 PATIENCE = 6.0
 """The longest time that the runs may actually take, as a multiple of the counted work; two runs to
 compare are always taken."""
@@ -117,10 +114,12 @@ def refine(
     stop: Stop,
     progress: Progress | None = None,
     begun: float | None = None,
+    further: float = 0.0,
 ) -> list[Refinement]:
     """Run the schemes in turn until the cheapest sufficient run is known, or the work is spent.
 
-    `begun` is the `thread_time` at which the search began, if that was earlier [s]. For a level
+    `begun` is the `thread_time` at which the search began, if that was earlier [s]. `further` is
+    the work that is allowed beyond, where all is smooth and a run that will do is near. For a level
     with contacts, the first refiner is the reference for the others. Return the refinements, each
     with errors relative to the best, which comes first. Raises `Cancelled` if `stop` returned true.
     """
@@ -130,7 +129,7 @@ def refine(
         next_ = min(left, key=lambda refiner: refiner.work(refiner.stepping.rate))
         work = next_.work(next_.stepping.rate)
         late = thread_time() - begun > PATIENCE * seconds and refinements
-        if late or spent + work > seconds + _instead(refiners, refinements, seconds):
+        if late or spent + work > seconds + _beyond(refiners, refinements, further):
             break
         if progress:
             progress(spent / seconds, _told(next_.stepping, refinements, next_))
@@ -140,8 +139,8 @@ def refine(
     return refinements
 
 
-def _instead(refiners: Sequence[Refiner], refinements: Sequence[Refinement], seconds: float) -> float:
-    """Return the further work that is allowed where all is smooth, and no run will do yet [s].
+def _beyond(refiners: Sequence[Refiner], refinements: Sequence[Refinement], most: float) -> float:
+    """Return the further work that is worthwhile where all is smooth and no run will do yet [s].
 
     It is that of confirming the most promising setting, as an extrapolation would have to be.
     """
@@ -151,7 +150,7 @@ def _instead(refiners: Sequence[Refiner], refinements: Sequence[Refinement], sec
         return 0.0
     if any(found.cheapest(first.target) for found in refinements):
         return 0.0
-    return min(promised * first.level.duration(first.values), CONFIRMED * seconds)
+    return min(promised * first.level.duration(first.values), most)
 
 
 def at_rate(scheme: Scheme, rate: float) -> Message:

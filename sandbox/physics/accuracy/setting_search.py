@@ -30,7 +30,6 @@ from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocit
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.offered_settings import Candidate, Offer, Offers
 from sandbox.physics.accuracy.refinement_search import (
-    CONFIRMED,
     FEWEST,
     Progress,
     Refiner,
@@ -52,6 +51,9 @@ from sandbox.physics.guarding.least_step_rate import needed
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
+
+CONFIRMED = 2.0
+"""The work of confirming a result, as a multiple of the work of the search."""
 
 FEW = 400
 """The most steps of the first run: a long run may begin at a rate that nobody would choose."""
@@ -122,7 +124,9 @@ class Seeker:
             Refiner(self.level, self.values, start, wanted, self.target, known=own)
             for start in _candidates(self.level, self.values, self.target)
         ]
-        refinements = refine(refiners, self.budget, self.stop, self.progress, begun)
+        refinements = refine(
+            refiners, self.budget, self.stop, self.progress, begun, CONFIRMED * self.budget
+        )
         if not refinements and (failure := refiners[-1].failure):
             raise failure
         if not refinements:
@@ -174,7 +178,9 @@ class Seeker:
             return chosen._replace(error=float("inf"))
         off = furthest(here, finer, wanted)[0]
         unknown = off / (2 ** (NEARLY * chosen.stepping.order) - 1)
-        return self._lowered(chosen._replace(error=off + unknown, trace=here), finer, unknown, wanted)
+        return self._lowered(
+            chosen._replace(error=off + unknown, trace=here), finer, unknown, wanted
+        )
 
     def _lowered(
         self, chosen: Candidate, finer: Trace, unknown: float, wanted: Sequence[Watched]
