@@ -257,12 +257,12 @@ def summary(found: Sequence[Difference], words: Say) -> Iterator[str]:
 def offer(setting: Setting) -> str:
     """Describe the setting that reaches an accuracy, or the best one possible in real time."""
     if setting.in_real_time is None:
-        return f"{error(setting.target)}: {_offer(setting.chosen)}"
+        return f"{error(setting.target)}: {_offer(setting.playable)}"
     return say(
         "{error} is not possible in real time: 1 s takes {cost:.2g} s of computing."
         " Instead: {offer}",
         error=error(setting.target),
-        cost=setting.chosen.cost,
+        cost=setting.drawn.cost,
         offer=_offer(setting.in_real_time),
     )
 

@@ -38,9 +38,14 @@ class Setting:
     """The quantity with the largest error; empty if no quantity has any."""
 
     @property
+    def drawn(self) -> Offer:
+        """The setting for a run that is drawn, however long that takes."""
+        return self.chosen.smooth
+
+    @property
     def playable(self) -> Offer:
         """The setting for a run that is watched live."""
-        return self.in_real_time or self.chosen
+        return (self.in_real_time or self.chosen).smooth
 
     def __str__(self) -> str:
         text = f"accuracy {self.target:g}: {self.chosen}, judged by {self.judged_by}"
@@ -113,7 +118,7 @@ def _predictable(found: SearchResult, target: float) -> Message:
 def _setting(found: SearchResult, judged_by: str) -> Setting:
     """Return the result of a search as a setting."""
     offer = found.timed()
-    affordable = None if offer.cost <= REAL_TIME else found.in_real_time()
+    affordable = None if offer.smooth.cost <= REAL_TIME else found.in_real_time()
     verified = found.chosen.trace is not None
     return Setting(found.target, offer, judged_by, verified, affordable, found.decided_by)
 

@@ -10,7 +10,14 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.compared_runs import Watched
 from sandbox.physics.accuracy.event_timing_errors import hidden
 from sandbox.physics.accuracy.refinement_search import at_rate
-from sandbox.physics.accuracy.step_refinement import PARTS, SLOWEST, Refinement, furthest, in_step
+from sandbox.physics.accuracy.step_refinement import (
+    PARTS,
+    SMOOTH,
+    Refinement,
+    furthest,
+    in_step,
+    slowest,
+)
 from sandbox.physics.measuring.recording import Trace
 
 REAL_TIME = 0.5
@@ -36,6 +43,12 @@ class Offer:
 
     def __str__(self) -> str:
         return str(self.told)
+
+    @property
+    def smooth(self) -> "Offer":
+        """The offer at a rate at which the motion does not look jerky; its error is no larger."""
+        rate = max(self.stepping.rate, SMOOTH)
+        return Offer(self.stepping.at(rate), self.error, self.cost * rate / self.stepping.rate)
 
     @property
     def told(self) -> Message:
@@ -134,7 +147,7 @@ def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:
         return Candidate(trace.stepping, error, trace, work * trace.stepping.rate)
     if refinement.believable(target):
         parts = 1 if refinement.traces[0].level.effects.contact else PARTS
-        needed = min(max(refinement.rate_for(target * CAUTION), SLOWEST), 2 * HIGHEST_RATE)
+        needed = min(max(refinement.rate_for(target * CAUTION), slowest(last)), 2 * HIGHEST_RATE)
         rate = in_step(needed, last.rate, parts)
         if rate <= HIGHEST_RATE:
             return Candidate(last.at(rate), refinement.error_at(rate), None, work * rate)
@@ -148,7 +161,7 @@ def _affordable(step: float, refinement: Refinement) -> Iterator[Offer]:
     """Yield a refinement's settings that run in real time, given the cost of a step [s]."""
     fastest = REAL_TIME / max(step, REAL_TIME / HIGHEST_RATE)
     for trace, error in zip(refinement.traces, refinement.errors, strict=True):
-        if SLOWEST <= trace.stepping.rate <= fastest:
+        if SMOOTH <= trace.stepping.rate <= fastest:
             yield Offer(trace.stepping, error, step * trace.stepping.rate)
     last = refinement.traces[-1].stepping
     if fastest > last.rate:

@@ -16,7 +16,7 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.chaos_detection import foretold
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
 from sandbox.physics.accuracy.counted_step_cost import LOOK, counted_cost
-from sandbox.physics.accuracy.step_refinement import SLOWEST, Refinement, held_against, judged
+from sandbox.physics.accuracy.step_refinement import Refinement, held_against, judged, slowest
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
@@ -96,7 +96,7 @@ class Refiner:
         if not refinement or len(self._traces) < FEWEST:
             return inf
         rate = refinement.rate_for(self.target) if refinement.believable(self.target) else inf
-        return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
+        return max(rate, slowest(self.stepping)) if rate <= HIGHEST_RATE else inf
 
     def lags(self, enough: float) -> bool:
         """Whether its remaining work is still unknown, and may be within some work [s]."""
@@ -114,10 +114,12 @@ def refine(
     stop: Stop,
     progress: Progress | None = None,
     begun: float | None = None,
+    further: float = 0.0,
 ) -> list[Refinement]:
     """Run the schemes in turn until the cheapest sufficient run is known, or the work is spent.
 
-    `begun` is the `thread_time` at which the search began, if that was earlier [s]. For a level
+    `begun` is the `thread_time` at which the search began, if that was earlier [s]. `further` is
+    the work that is allowed beyond, where all is smooth and a run that will do is near. For a level
     with contacts, the first refiner is the reference for the others. Return the refinements, each
     with errors relative to the best, which comes first. Raises `Cancelled` if `stop` returned true.
     """
@@ -127,7 +129,7 @@ def refine(
         next_ = min(left, key=lambda refiner: refiner.work(refiner.stepping.rate))
         work = next_.work(next_.stepping.rate)
         late = thread_time() - begun > PATIENCE * seconds and refinements
-        if spent + work > seconds or late:
+        if late or spent + work > seconds + _beyond(refiners, refinements, further):
             break
         if progress:
             progress(spent / seconds, _told(next_.stepping, refinements, next_))
@@ -135,6 +137,20 @@ def refine(
         next_.run(stop)
         refinements = held(refiners)
     return refinements
+
+
+def _beyond(refiners: Sequence[Refiner], refinements: Sequence[Refinement], most: float) -> float:
+    """Return the further work that is worthwhile where all is smooth and no run will do yet [s].
+
+    It is that of confirming the most promising setting, as an extrapolation would have to be.
+    """
+    first = refiners[0]
+    promised = 3 * min(refiner.promised for refiner in refiners)
+    if not first.stepping.is_composed or promised == inf:
+        return 0.0
+    if any(found.cheapest(first.target) for found in refinements):
+        return 0.0
+    return min(promised * first.level.duration(first.values), most)
 
 
 def at_rate(scheme: Scheme, rate: float) -> Message:

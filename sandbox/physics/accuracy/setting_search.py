@@ -37,7 +37,16 @@ from sandbox.physics.accuracy.refinement_search import (
     cost,
     refine,
 )
-from sandbox.physics.accuracy.step_refinement import NEARLY, foot, furthest, in_step, step_durations
+from sandbox.physics.accuracy.step_refinement import (
+    NEARLY,
+    SPARE,
+    foot,
+    furthest,
+    in_step,
+    octaves,
+    slowest,
+    step_durations,
+)
 from sandbox.physics.guarding.least_step_rate import needed
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
@@ -53,8 +62,8 @@ CLOSER = 4
 """The rate of the run that shows the errors where forces set in or end, as a multiple."""
 
 SMALL = 1e-7
-"""The largest target for which sixth order is tried: for larger ones fourth order at the lowest
-rate is nearly always enough, or the motion is not smooth, and its runs would be work in vain."""
+"""The largest target for which sixth and eighth order are tried: for larger ones fourth order is
+nearly always cheaper, or the motion is not smooth, and their runs would be work in vain."""
 
 LONGEST = 4.0
 """The first rate of a long run is halved until it is no higher than this [Hz]."""
@@ -115,7 +124,9 @@ class Seeker:
             Refiner(self.level, self.values, start, wanted, self.target, known=own)
             for start in _candidates(self.level, self.values, self.target)
         ]
-        refinements = refine(refiners, self.budget, self.stop, self.progress, begun)
+        refinements = refine(
+            refiners, self.budget, self.stop, self.progress, begun, CONFIRMED * self.budget
+        )
         if not refinements and (failure := refiners[-1].failure):
             raise failure
         if not refinements:
@@ -165,8 +176,35 @@ class Seeker:
             here, finer = (self._run(chosen.stepping.at(r), wanted) for r in (rate, 2 * rate))
         except SimulationError:
             return chosen._replace(error=float("inf"))
-        spare = 1 + 1 / (2 ** (NEARLY * chosen.stepping.order) - 1)
-        return chosen._replace(error=spare * furthest(here, finer, wanted)[0], trace=here)
+        off = furthest(here, finer, wanted)[0]
+        unknown = off / (2 ** (NEARLY * chosen.stepping.order) - 1)
+        return self._lowered(
+            chosen._replace(error=off + unknown, trace=here), finer, unknown, wanted
+        )
+
+    def _lowered(
+        self, chosen: Candidate, finer: Trace, unknown: float, wanted: Sequence[Watched]
+    ) -> Candidate:
+        """Return a setting at the lowest rate found that will do, given a run of known error.
+
+        Each rate is where the error would be as requested, by the order of the scheme: a setting
+        that was extrapolated may be far more accurate than that.
+        """
+        while 0 < chosen.error <= self.target:
+            now = chosen.stepping
+            ratio = (chosen.error / (SPARE * self.target)) ** (1 / now.order)
+            rate = in_step(max(ratio * now.rate, slowest(now)), finer.stepping.rate)
+            if rate >= now.rate:
+                break
+            try:
+                run = self._run(now.at(rate), wanted)
+            except SimulationError:
+                break
+            error = furthest(run, finer, wanted)[0] + unknown
+            if error > self.target:
+                break
+            chosen = Candidate(now.at(rate), error, run, chosen.work * rate / now.rate)
+        return chosen
 
     def _at_every_step(
         self, chosen: Candidate, best: Trace, wanted: Sequence[Watched]
@@ -250,7 +288,7 @@ def _candidates(level: Level, values: Values, target: float) -> Iterator[Steppin
     start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver or solver)
     if not unsmooth(level):
         yield from (
-            start.model_copy(update={"scheme": s, "rate": rate / 2}) for s in _smooth(target)
+            _begun(start.model_copy(update={"scheme": scheme})) for scheme in _smooth(target)
         )
     elif contact := level.effects.contact:
         if _may_pile(level):
@@ -266,9 +304,18 @@ def _candidates(level: Level, values: Values, target: float) -> Iterator[Steppin
     yield start
 
 
+def _begun(start: Stepping) -> Stepping:
+    """Return where a composed scheme begins, given where leapfrog does: its steps may be longer."""
+    rate = start.rate / 2 ** (octaves(start) - 1)
+    while rate < 1:
+        rate *= 2
+    return start.at(rate)
+
+
 def _smooth(target: float) -> tuple[Scheme, ...]:
     """Return the schemes of higher order that are worth trying where all is smooth."""
-    return ("fourth-order", "sixth-order") if target <= SMALL else ("fourth-order",)
+    high: tuple[Scheme, ...] = ("sixth-order", "eighth-order")
+    return ("fourth-order", *(high if target <= SMALL else ()))
 
 
 def _may_pile(level: Level) -> bool:

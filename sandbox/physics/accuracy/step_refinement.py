@@ -37,17 +37,31 @@ ROUNDING = 1e-12
 SPARE = 0.8
 """The share of the target error that a rate between two runs aims at."""
 
-SLOWEST = 30.0
-"""The lowest rate that is chosen [Hz]; a motion in fewer steps would look jerky."""
+SMOOTH = 30.0
+"""The lowest rate of a motion that is drawn [Hz]: in fewer steps it would look jerky."""
 
 
 def foot(rate: float) -> float:
-    """Return the rate from which doubling reaches a level's own: the lowest not below `SLOWEST`.
+    """Return the rate from which doubling reaches a level's own: the lowest not below `SMOOTH`.
 
     >>> foot(1000.0)
     31.25
     """
-    return rate / 2 ** floor(log2(max(rate, SLOWEST) / SLOWEST))
+    return rate / 2 ** floor(log2(max(rate, SMOOTH) / SMOOTH))
+
+
+def octaves(stepping: Stepping) -> int:
+    """Return by how many octaves below `SMOOTH` a scheme may be chosen.
+
+    A step of a composed scheme has more than 2 to this power kicks, so that any run has at least
+    `SMOOTH` kicks a second.
+    """
+    return stepping.order // 2 if stepping.is_composed else 0
+
+
+def slowest(stepping: Stepping) -> float:
+    """Return the lowest rate that is chosen for a scheme [Hz]."""
+    return SMOOTH / 2 ** octaves(stepping)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +81,8 @@ class Refinement:
     def cheapest(self, error: float) -> tuple[Trace, float] | None:
         """Return the first run with a confirmed error that is small enough, and that error."""
         runs = zip(self.traces[: self.seen], self.errors, strict=False)
-        return next((r for r in runs if r[1] <= error and r[0].stepping.rate >= SLOWEST), None)
+        least = slowest(self.traces[0].stepping)
+        return next((r for r in runs if r[1] <= error and r[0].stepping.rate >= least), None)
 
     def between(self, error: float) -> float | None:
         """Return a rate below the first sufficient run at which the error may still suffice [Hz].
@@ -86,7 +101,7 @@ class Refinement:
         power = log2(much / little) / log2(high / low)
         rate = high * (little / (SPARE * error)) ** (1 / power)
         parted = in_step(rate, low)
-        return parted if SLOWEST <= parted < high else None
+        return parted if slowest(found[0].stepping) <= parted < high else None
 
     @property
     def _order(self) -> int:

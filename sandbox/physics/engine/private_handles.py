@@ -21,7 +21,11 @@ from sandbox.model.expressions import Array
 
 _READ = ffi.addressof(lib, "pmSpaceBodyGetIteratorFuncBatched")
 _WRITE = ffi.addressof(lib, "pmSpaceBodySetIteratorFuncBatched")
-_PAIR = Struct("4d")
+_READ_BODY, _WRITE_BODY = (
+    lib.pmSpaceBodyGetIteratorFuncBatched,
+    lib.pmSpaceBodySetIteratorFuncBatched,
+)
+_PACK = Struct("4d").pack_into
 
 
 def stepper(space: pymunk.Space) -> Callable[[float], None]:
@@ -108,22 +112,22 @@ class Pair:
     def __init__(self, a: pymunk.Body, b: pymunk.Body) -> None:
         self._bodies = a, b  # or pymunk would free them
         self._a, self._b = a._body, b._body  # noqa: SLF001
-        self._state = Memory(BodyFields.POSITION | BodyFields.VELOCITY, 8)
-        self._velocity = Memory(BodyFields.VELOCITY, 4)
-        self._buffer = self._velocity.values.data
+        state = Memory(BodyFields.POSITION | BodyFields.VELOCITY, 8)
+        velocity = Memory(BodyFields.VELOCITY, 4)
+        self._state, self._states = state.call, state.floats
+        self._velocity, self._velocities = velocity.call, velocity.floats
+        self._values, self._buffer = state.values.tolist, velocity.values.data
 
     def read(self) -> list[float]:
         """Return x, y, vx, vy of the first, and then of the second [m, m/s]."""
-        memory = self._state
-        memory.floats.num = 0
-        lib.pmSpaceBodyGetIteratorFuncBatched(self._a, memory.call)
-        lib.pmSpaceBodyGetIteratorFuncBatched(self._b, memory.call)
-        return memory.values.tolist()
+        self._states.num, call = 0, self._state
+        _READ_BODY(self._a, call)
+        _READ_BODY(self._b, call)
+        return self._values()
 
     def set_velocity(self, ax: float, ay: float, bx: float, by: float) -> None:
         """Write the velocities of the first and the second [m/s]."""
-        memory = self._velocity
-        _PAIR.pack_into(self._buffer, 0, ax, ay, bx, by)
-        memory.floats.num = 0
-        lib.pmSpaceBodySetIteratorFuncBatched(self._a, memory.call)
-        lib.pmSpaceBodySetIteratorFuncBatched(self._b, memory.call)
+        _PACK(self._buffer, 0, ax, ay, bx, by)
+        self._velocities.num, call = 0, self._velocity
+        _WRITE_BODY(self._a, call)
+        _WRITE_BODY(self._b, call)

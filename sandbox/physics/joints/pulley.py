@@ -43,11 +43,6 @@ SHARE = 1 / 64
 """The fraction of that error that is corrected in a step."""
 
 
-End = tuple[float, float, float, float, float, float, float]
-"""The arm of an end from its peg and its length [m], its velocity [m/s], and the decrease of that
-velocity by a unit of impulse [1/kg]."""
-
-
 class PulleyString:
     """The solver of a string between two bodies."""
 
@@ -60,6 +55,7 @@ class PulleyString:
         between = pairwise(pegs)
         self._free_length = length - fsum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in between)
         self._rounding = ROUNDING * (self._free_length + fsum(hypot(*peg) for peg in self._pegs))
+        self._close = QUADRATIC * self._free_length
         self._inverse = _inverse_mass(ends[0]), _inverse_mass(ends[1])
         self.tension = 0.0
         """The force by which the string pulled in the last kick [N]."""
@@ -68,6 +64,7 @@ class PulleyString:
     def refit(self) -> None:
         """Keep the present length of the path, as after a body was moved."""
         self._free_length = fsum(hypot(*arm) for arm in self._arms())
+        self._close = QUADRATIC * self._free_length
         self.tension = 0.0
 
     def jacobian(self) -> tuple[XY, XY]:
@@ -94,35 +91,28 @@ class PulleyString:
 
     def solve(self, kick: Kick) -> None:
         """Find the impulse that keeps the length through the next drift, and apply the rest."""
-        ax, ay, ux, uy, bx, by, vx, vy = self._pair.read()
-        (peg_ax, peg_ay), (peg_bx, peg_by) = self._pegs
-        ax, ay, bx, by = ax - peg_ax, ay - peg_ay, bx - peg_bx, by - peg_by
-        far_a, far_b = hypot(ax, ay), hypot(bx, by)
         try:
-            # a fixed end needs no direction: it may lie on its peg
-            reply_a = self._inverse[0] and self._inverse[0] / far_a
-            reply_b = self._inverse[1] and self._inverse[1] / far_b
-            px, py, qx, qy = reply_a * ax, reply_a * ay, reply_b * bx, reply_b * by
-            impulse = self._newton(
-                kick, (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy)
-            )
+            self._pull(kick)
         except ZeroDivisionError:
             raise JointFailure(
                 self._name, Message("an end of '{name}' has run into a peg", name=self._name)
             ) from None
-        if impulse:
-            self._pair.set_velocity(
-                ux - impulse * px, uy - impulse * py, vx - impulse * qx, vy - impulse * qy
-            )
-        self.tension = self._warm_start + impulse / kick.length
-        self._warm_start = 0.0
 
-    def _newton(self, kick: Kick, one: End, other: End) -> float:
-        """Return the impulse beyond that of the warm start, by Newton's method [N s]."""
-        (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy) = one, other
-        h, lasts, close = kick.drift, kick.length, QUADRATIC * self._free_length
-        least = -self._warm_start * lasts
-        off = far_a + far_b - self._free_length
+    def _pull(self, kick: Kick) -> None:
+        """Apply the impulse beyond that of the warm start, found by Newton's method.
+
+        The arms of the ends are (ax, ay) and (bx, by), their velocities (ux, uy) and (vx, vy); a
+        unit of impulse decreases these by (px, py) and (qx, qy).
+        """
+        ax, ay, ux, uy, bx, by, vx, vy = self._pair.read()
+        (peg_ax, peg_ay), (peg_bx, peg_by) = self._pegs
+        ax, ay, bx, by = ax - peg_ax, ay - peg_ay, bx - peg_bx, by - peg_by
+        far_a, far_b = hypot(ax, ay), hypot(bx, by)
+        unit_a, unit_b = self._inverse  # a fixed end needs no direction: it may lie on its peg
+        reply_a, reply_b = unit_a and unit_a / far_a, unit_b and unit_b / far_b
+        px, py, qx, qy = reply_a * ax, reply_a * ay, reply_b * bx, reply_b * by
+        h, lasts, warm, close = kick.drift, kick.length, self._warm_start, self._close
+        off, least = far_a + far_b - self._free_length, -warm * lasts
         if -self._rounding <= off <= self._rounding:
             off *= SHARE
         impulse = self.tension * lasts + least
@@ -135,7 +125,7 @@ class PulleyString:
             excess = off + ((ax + tax) * dax + (ay + tay) * day) / (far_a + reach_a)
             excess += ((bx + tbx) * dbx + (by + tby) * dby) / (far_b + reach_b)
             if excess <= 0 and impulse <= least:
-                return impulse
+                break
             slope = h * ((tax * px + tay * py) / reach_a + (tbx * qx + tby * qy) / reach_b)
             if slope <= 0:  # a pull would only lengthen the path: an end is past its peg
                 raise ZeroDivisionError
@@ -143,10 +133,14 @@ class PulleyString:
             if impulse < least:
                 impulse = least
             if -close <= excess <= close or impulse == before:
-                return impulse
-        raise JointFailure(
-            self._name, Message("no tension keeps '{name}' at its length", name=self._name)
-        )
+                break
+        else:
+            message = Message("no tension keeps '{name}' at its length", name=self._name)
+            raise JointFailure(self._name, message)
+        if impulse:
+            change = self._pair.set_velocity
+            change(ux - impulse * px, uy - impulse * py, vx - impulse * qx, vy - impulse * qy)
+        self.tension, self._warm_start = warm + impulse / lasts, 0.0
 
 
 def _inverse_mass(body: pymunk.Body) -> float:
