@@ -14,6 +14,7 @@ from sandbox.app.frame_painting import paint
 from sandbox.app.impact_sounds import Sounds
 from sandbox.app.long_frames import LongFrameWatch
 from sandbox.app.malloc_tuning import give_back_gaps
+from sandbox.app.pages.register import preload
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.app.workspace import SIZE, Workspace
@@ -73,7 +74,8 @@ class Window(Workspace):
 
     @staticmethod
     def look_through() -> None:
-        """Collect garbage and freeze what remains, once: later this would take two frames."""
+        """Import all pages, collect garbage and freeze what remains: later it would take frames."""
+        preload()
         gc.collect()
         gc.freeze()
         gc.enable()

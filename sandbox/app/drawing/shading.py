@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
 from math import ceil, dist, floor, hypot
+from random import Random
 
 import numpy as np
 import pygame
@@ -117,8 +118,9 @@ def _depths() -> pygame.Surface:
 @lru_cache(maxsize=1)
 def _grain() -> pygame.Surface:
     """Return a tile of grainy ground, the same in every run."""
-    bright = np.random.default_rng(1).integers(255 - ROUGH, 256, (GRAIN // 2, GRAIN // 2, 1))
-    coarse = pygame.surfarray.make_surface(np.repeat(bright, 3, axis=2))
+    side = GRAIN // 2
+    bright = np.array(Random(1).choices(range(255 - ROUGH, 256), k=side * side))
+    coarse = pygame.surfarray.make_surface(np.repeat(bright.reshape(side, side, 1), 3, axis=2))
     return pygame.transform.scale(coarse, (GRAIN, GRAIN))
 
 
