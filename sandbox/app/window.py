@@ -68,6 +68,14 @@ class Window(Workspace):
         if self.session is not None and (why := self.recovery.follow(self.session, seconds)):
             self.banner.tell(say(why))
 
+    def _say_first(self, text: str) -> None:
+        if self.empty:  # the first level is still being prepared: show the rest of the window
+            self.lay_out()
+            for _ in range(2):  # the rows of the list are made in the first
+                self.panels.update(0.0)
+            self._draw(0.0)
+        super()._say_first(text)
+
     def _show(self, seconds: float) -> None:
         self.frame(seconds)
         pygame.display.flip()

@@ -66,7 +66,8 @@ def bevel(surface: pygame.Surface, rim: Color, corners: Sequence[XY], width: int
     outward = 1 if sum(ax * by - bx * ay for (ax, ay), (bx, by) in edges) > 0 else -1
     for (ax, ay), (bx, by) in edges:
         facing = outward * ((by - ay) * LIGHT[0] - (bx - ax) * LIGHT[1])
-        share = EDGE * facing / (hypot(bx - ax, by - ay) or 1.0)
+        # in hundredths, so that the colours of a frame have been mixed before
+        share = round(EDGE * facing / (hypot(bx - ax, by - ay) or 1.0), 2)
         shade = lighter(rim, share) if share > 0 else darker(rim, -share)
         pygame.draw.aaline(surface, shade, (ax, ay), (bx, by), width)
 
