@@ -213,7 +213,7 @@ class CommandActions:
             return
         self.turn_to(page)
         try:
-            kept = space.workers.all, space.load, space.comfort, space.stage.shown
+            kept = space.workers.of, space.load, space.comfort, space.stage.shown
             answer = asked.act(Desk(space.session, *kept))
         except SandboxError as error:
             answer = say(error.message)

@@ -2,8 +2,6 @@
 
 import pygame
 
-from sandbox.app.building.editor import Editor
-from sandbox.app.building.recovery_choices import recover
 from sandbox.app.command_actions import CommandActions
 from sandbox.app.home.draft_strip import Unsaved
 from sandbox.app.keymap import command
@@ -76,6 +74,9 @@ class Events:
         if isinstance(left, LeftRun):
             self._space.go_on_with(left)
             return
+        from sandbox.app.building.editor import Editor
+        from sandbox.app.building.recovery_choices import recover
+
         self._commands.do(BUILD_PAGE.command)
         if self._space.session is not None:
             recover(left, self._space.workers.of(Editor), self._space.session)

@@ -34,7 +34,7 @@ def paint(space: Workspace) -> None:
     for x in (layout.stage.left, layout.stage.right - 1):
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
     if space.help:
-        rows = page(space.panels.page).keys if space.maker is not None else ()
+        rows = page(space.panels.page).own_keys() if space.maker is not None else ()
         told = rows or stage_messages.everywhere()
         space.sheets = stage_messages.draw_help(surface, space.pen, layout.stage, told, space.help)
 
@@ -49,7 +49,8 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
             maker.draw_over(view, space.stage, space.pen)
     if space.hand.tape is not None:
         space.hand.tape.draw(view, space.stage.camera, space.pen)
-    space.workers.of(Stopwatch).draw(view, space.pen, session)
+    if (stopwatch := space.workers.made(Stopwatch)) is not None:
+        stopwatch.draw(view, space.pen, session)
     below = space.banner.draw(view, space.pen, view.get_rect(), session)
     labels = [run.label(session.values) for run in session.earlier]
     runs = runs_beside(session)[1] or run_legend.earlier(labels)

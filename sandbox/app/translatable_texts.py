@@ -41,7 +41,7 @@ def shown_keys() -> Iterator[str]:
     """Yield the names of keys and gestures in the help, some more than once."""
     every = (
         *(binding.shown for binding in keymap.BINDINGS),
-        *(key for page in PAGES for key, _ in page.keys),
+        *(key for page in PAGES for key, _ in page.own_keys()),
         *(gesture for gesture, _ in window_keys.MOUSE),
     )
     return filter(has_words, every)
@@ -58,7 +58,7 @@ def _of_the_window() -> Iterator[str]:
     for page in PAGES:
         yield page.caption
         yield page.text
-        yield from (text for _, text in page.keys)
+        yield from (text for _, text in page.own_keys())
     yield from (text for _, text in window_keys.MOUSE)
     for tool in TOOLS:
         yield tool.caption

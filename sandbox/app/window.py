@@ -14,6 +14,7 @@ from sandbox.app.frame_painting import paint
 from sandbox.app.impact_sounds import Sounds
 from sandbox.app.long_frames import LongFrameWatch
 from sandbox.app.malloc_tuning import give_back_gaps
+from sandbox.app.pages.register import preload
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.app.workspace import SIZE, Workspace
@@ -67,13 +68,22 @@ class Window(Workspace):
         if self.session is not None and (why := self.recovery.follow(self.session, seconds)):
             self.banner.tell(say(why))
 
+    def _say_first(self, text: str) -> None:
+        if self.empty:  # the first level is still being prepared: show the rest of the window
+            self.lay_out()
+            for _ in range(2):  # the rows of the list are made in the first
+                self.panels.update(0.0)
+            self._draw(0.0)
+        super()._say_first(text)
+
     def _show(self, seconds: float) -> None:
         self.frame(seconds)
         pygame.display.flip()
 
     @staticmethod
     def look_through() -> None:
-        """Collect garbage and freeze what remains, once: later this would take two frames."""
+        """Import all pages, collect garbage and freeze what remains: later it would take frames."""
+        preload()
         gc.collect()
         gc.freeze()
         gc.enable()

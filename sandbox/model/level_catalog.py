@@ -1,6 +1,7 @@
 """The levels that come with the project: one JSON file each, in a folder a chapter."""
 
 import os
+from functools import cache
 from pathlib import Path
 
 from sandbox.model.did_you_mean import meant, suggestion
@@ -33,6 +34,7 @@ HARD = "hard"
 """The folder of the hard cases: scenes that break engines, written by `validation.stability`."""
 
 
+@cache
 def root() -> Path:
     """Return the folder of the levels: inside an installed package, beside it in a checkout."""
     package = Path(__file__).resolve().parents[1]

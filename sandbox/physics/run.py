@@ -4,7 +4,7 @@ A level may ask for an accuracy instead of a rate. The search for a setting runs
 this module stands above it.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -14,7 +14,6 @@ from sandbox.model.contact_solver_choice import may_be_direct
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy.calibration_cache import resolved
 from sandbox.physics.accuracy.compared_runs import lasting
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, leans, needed
@@ -38,7 +37,7 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     world cannot even start, and `SchemeError` if the scheme is not for such a level.
     """
     values = level.defaults if values is None else values
-    chosen = resolved(level, values, stepping or level.stepping)
+    chosen = _resolved(level, values, stepping or level.stepping)
     with TimeLimit().within_steps():
         world = make_world(level, values, chosen)
         if chosen.solver or not leans(world) or not may_be_direct(level):
@@ -71,7 +70,7 @@ def simulate(
     values = level.defaults if values is None else values
     record = None if record is None else list(record)
     asked = lasting(level, values, duration)
-    world = build(level, values, resolved(asked, values, stepping or level.stepping, record or ()))
+    world = build(level, values, _resolved(asked, values, stepping or level.stepping, record or ()))
     try:
         with np.errstate(all="ignore"):  # what is not finite is told by name
             recorder = Recorder(world, needed(level) if record is None else record)
@@ -82,6 +81,17 @@ def simulate(
         raise
     except Exception as error:
         raise BreakdownError(error, world.t) from error
+
+
+def _resolved(
+    level: Level, values: Values, stepping: Stepping, also: Sequence[str] = ()
+) -> Stepping:
+    """As `calibration_cache.resolved`; the search is imported only if an accuracy is asked for."""
+    if stepping.accuracy is None:
+        return stepping
+    from sandbox.physics.accuracy.calibration_cache import resolved
+
+    return resolved(level, values, stepping, also)
 
 
 def _record(

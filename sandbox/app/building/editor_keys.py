@@ -24,28 +24,31 @@ ARROWS: Mapping[int, tuple[int, int]] = {
 FINE = 0.1
 """The size of a nudge with Alt held, as a share of the usual one."""
 
-HELP: tuple[tuple[str, str], ...] = (
-    *((kind.key, kind.text) for kind in TOOLS),
-    ("", ""),
-    ("Space", "try it; Esc comes back to building"),
-    ("in the run", "tools add, Delete removes, Ctrl Z undoes"),
-    ("Esc", "cancel, select nothing"),
-    ("Enter, Backspace", "finish a shape of several points; remove the last point"),
-    ("drag, Shift and click", "select with a frame; add or remove one"),
-    ("arrows", "nudge by a step of the grid; with Alt by a tenth of it"),
-    ("Alt", "no snapping while held"),
-    ("Delete", "delete the selection and its joints"),
-    ("Ctrl C, V, D", "copy, paste, duplicate"),
-    ("Ctrl A", "select all"),
-    ("Ctrl G, Ctrl Shift G", "group the selection; ungroup it"),
-    ("Ctrl Z, Ctrl Y", "undo; redo (also Ctrl Shift Z), the run too"),
-    ("Tab", "accept the first suggested name"),
-    ("Ctrl S, Ctrl Shift S", "save; save under another name"),
-    ("Ctrl N", "an empty scene"),
-    ("right or middle drag", "move the view; the wheel zooms, F fits it"),
-    ("", ""),
-    ("letters", "open the other pages, where H tells all other keys"),
-)
+
+def keys_in_help() -> tuple[tuple[str, str], ...]:
+    """Return the keys and gestures of the page Build, and what they do."""
+    return (
+        *((kind.key, kind.text) for kind in TOOLS),
+        ("", ""),
+        ("Space", "try it; Esc comes back to building"),
+        ("in the run", "tools add, Delete removes, Ctrl Z undoes"),
+        ("Esc", "cancel, select nothing"),
+        ("Enter, Backspace", "finish a shape of several points; remove the last point"),
+        ("drag, Shift and click", "select with a frame; add or remove one"),
+        ("arrows", "nudge by a step of the grid; with Alt by a tenth of it"),
+        ("Alt", "no snapping while held"),
+        ("Delete", "delete the selection and its joints"),
+        ("Ctrl C, V, D", "copy, paste, duplicate"),
+        ("Ctrl A", "select all"),
+        ("Ctrl G, Ctrl Shift G", "group the selection; ungroup it"),
+        ("Ctrl Z, Ctrl Y", "undo; redo (also Ctrl Shift Z), the run too"),
+        ("Tab", "accept the first suggested name"),
+        ("Ctrl S, Ctrl Shift S", "save; save under another name"),
+        ("Ctrl N", "an empty scene"),
+        ("right or middle drag", "move the view; the wheel zooms, F fits it"),
+        ("", ""),
+        ("letters", "open the other pages, where H tells all other keys"),
+    )
 
 
 class Keyed(Protocol):

@@ -94,13 +94,21 @@ class EditorOnStage:
         """Draw the level under edit."""
         work, tools, camera = self._work, self._tools, stage.camera
         surface.blit(self._picture.of(work, pen), (0, 0))
-        self._foreseeing.look(work, tools.hand, self._spot)
+        self._foresee(surface, work)
         if not self._foreseeing.found:  # what is dragged is no longer where it was
             editor_painting.draw_culprits(surface, work.sketch, self._applying.culprits, camera)
         if self._spot is not None and tools.tool not in ("select", "delete"):
             editor_painting.caught(surface, camera, pen, self._spot.snapped)
         tools.hand.draw(surface, pen)
         self._draw_foreseen(surface, pen, say(tools.hand.hint))
+
+    def _foresee(self, surface: pygame.Surface, bench: EditedLevel) -> None:
+        """Look ahead, unless the mouse has left the stage and nothing is begun."""
+        hand, spot = self._tools.hand, self._spot
+        if hand.busy or (spot is not None and surface.get_rect().collidepoint(spot.pixel)):
+            self._foreseeing.look(bench, hand, spot)
+        else:
+            self._foreseeing.forget()
 
     def _draw_foreseen(self, surface: pygame.Surface, pen: Pen, hint: str) -> None:
         """Mark the faults of what the tool would make, or give a hint if there are none."""
@@ -122,6 +130,6 @@ class EditorOnStage:
             editor_painting.caught(surface, stage.camera, pen, self._spot.snapped)
         if live.fresh:
             tools.hand.draw(surface, pen)
-        self._foreseeing.look(live, tools.hand, self._spot)
+        self._foresee(surface, live)
         message = say("{hint}; time stands still until then", hint=say(tools.hand.hint))
         self._draw_foreseen(surface, pen, message)

@@ -44,6 +44,10 @@ class FaultPreview:
             self.found = foresight.of(proposed)
             self._pause_ends = begun + (1 + PATIENCE) * (perf_counter() - begun)
 
+    def forget(self) -> None:
+        """Forget what was found, as nothing would be made now."""
+        self._seen, self.found = None, None
+
     def _foresight_of(self, work: EditedLevel) -> Foresight | None:
         if self._version is not work.version:
             self._version = work.version

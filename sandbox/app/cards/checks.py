@@ -1,6 +1,7 @@
 """The card with the results of a level's checks."""
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import pygame
 
@@ -13,9 +14,11 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_translation import Say, title
 from sandbox.model.level import Check
-from sandbox.physics.accuracy.accuracy_study import ErrorBudget
 
-NOTHING: Mapping[int, ErrorBudget] = {}
+if TYPE_CHECKING:
+    from sandbox.physics.accuracy.accuracy_study import ErrorBudget
+
+NOTHING: Mapping[int, "ErrorBudget"] = {}
 TOUCHED = later("This run was moved or changed by hand: no formula describes it.")
 
 
@@ -26,7 +29,7 @@ def checks(
     words: Say = str,
     disturbed: bool = False,
     left_out: int = 0,
-    splits: Mapping[int, ErrorBudget] = NOTHING,
+    splits: Mapping[int, "ErrorBudget"] = NOTHING,
 ) -> pygame.Surface:
     """Draw the results of a level's checks, and the number of checks that are left out.
 
@@ -61,7 +64,7 @@ def unjudged(pen: Pen, width: int) -> pygame.Surface:
     return card.drawn()
 
 
-def _check(card: Card, reading: Reading, words: Say, split: ErrorBudget | None) -> None:
+def _check(card: Card, reading: Reading, words: Say, split: "ErrorBudget | None") -> None:
     result = reading.result
     check = result.check
     color = _color(result.verdict)

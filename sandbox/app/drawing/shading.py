@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
 from math import ceil, dist, floor, hypot
+from random import Random
 
 import numpy as np
 import pygame
@@ -65,7 +66,8 @@ def bevel(surface: pygame.Surface, rim: Color, corners: Sequence[XY], width: int
     outward = 1 if sum(ax * by - bx * ay for (ax, ay), (bx, by) in edges) > 0 else -1
     for (ax, ay), (bx, by) in edges:
         facing = outward * ((by - ay) * LIGHT[0] - (bx - ax) * LIGHT[1])
-        share = EDGE * facing / (hypot(bx - ax, by - ay) or 1.0)
+        # in hundredths, so that the colours of a frame have been mixed before
+        share = round(EDGE * facing / (hypot(bx - ax, by - ay) or 1.0), 2)
         shade = lighter(rim, share) if share > 0 else darker(rim, -share)
         pygame.draw.aaline(surface, shade, (ax, ay), (bx, by), width)
 
@@ -117,8 +119,9 @@ def _depths() -> pygame.Surface:
 @lru_cache(maxsize=1)
 def _grain() -> pygame.Surface:
     """Return a tile of grainy ground, the same in every run."""
-    bright = np.random.default_rng(1).integers(255 - ROUGH, 256, (GRAIN // 2, GRAIN // 2, 1))
-    coarse = pygame.surfarray.make_surface(np.repeat(bright, 3, axis=2))
+    side = GRAIN // 2
+    bright = np.array(Random(1).choices(range(255 - ROUGH, 256), k=side * side))
+    coarse = pygame.surfarray.make_surface(np.repeat(bright.reshape(side, side, 1), 3, axis=2))
     return pygame.transform.scale(coarse, (GRAIN, GRAIN))
 
 

@@ -6,7 +6,7 @@ blindness.
 
 import json
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from typing import Any, Literal, get_args
 
@@ -100,6 +100,7 @@ def widgets(scale: float) -> dict[str, Any]:
     return dict(look)
 
 
+@lru_cache(maxsize=4096)
 def mix(a: Color, b: Color, share: float) -> Color:
     """Return a mixture of two colours, with some share of the second."""
     red, green, blue = (round(p + (q - p) * share) for p, q in zip(a, b, strict=True))

@@ -38,7 +38,7 @@ def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Su
     first = float(y[0, 2])
     pygame.draw.line(graph, theme.GRID_STRONG, (0, round(first)), (width, round(first)))
     every = max(len(points) // max(width, 1), 1)
-    shown = np.unique(np.append(np.arange(0, len(points), every), len(points) - 1))
+    shown = np.append(np.arange(0, len(points) - 1, every), len(points) - 1)
     for series, (color, thickness, dashed) in enumerate(_series()):
         line = np.column_stack((x[shown], y[shown, series])).tolist()
         _draw(graph, line, color, thickness, dashed=dashed)

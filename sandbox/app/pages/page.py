@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol, TypeVar, runtime_checkable
+from importlib import import_module
+from typing import Any, NamedTuple, Protocol, TypeVar, runtime_checkable
 
 import pygame
 
@@ -58,6 +59,13 @@ class IdleWorker:
 
 
 W = TypeVar("W", bound=Worker)
+
+
+class FindWorker(Protocol):
+    """Returns the worker of a kind; raises `LookupError` if no page declares it."""
+
+    def __call__(self, kind: type[W]) -> W:
+        """Return the worker of a kind."""
 
 
 @runtime_checkable
@@ -117,23 +125,21 @@ class Desk(NamedTuple):
     """The objects with which pages work."""
 
     session: Session
-    workers: Sequence[Worker]
+    worker: FindWorker
+    """returns the worker of a kind, its page's own or another's"""
     load: Load
     comfort: WindowPreferences
     shown: Mapping[str, bool]
     """whether each overlay of the stage is drawn, by name"""
 
-    def worker(self, kind: type[W]) -> W:
-        """Return the worker of a kind."""
-        return worker(self.workers, kind)
 
+def imported(module: str, name: str) -> Callable[..., Any]:
+    """Return a function that imports what it stands for when it is first called.
 
-def worker(workers: Sequence[Worker], kind: type[W]) -> W:
-    """Return the worker of a kind; raise `LookupError` if no page declares it."""
-    for each in workers:
-        if isinstance(each, kind):
-            return each
-    raise LookupError(f"no page declares {kind.__name__} as its worker")
+    The first picture of the window needs the names of all pages, but the contents of one. What a
+    page consists of is therefore imported when it is opened, or after the first picture.
+    """
+    return lambda *arguments: getattr(import_module(module), name)(*arguments)
 
 
 class PageCommand(NamedTuple):
@@ -183,8 +189,9 @@ class Page:
     worker: Callable[[], Worker] | None = None
     """makes its background worker"""
     commands: tuple[PageCommand, ...] = ()
-    keys: tuple[tuple[str, str], ...] = ()
-    """the keys that have a meaning only while it is open, and their descriptions in the help"""
+    own_keys: Callable[[], Sequence[tuple[str, str]]] = tuple
+    """returns the keys that have a meaning only while it is open, and their descriptions in the
+    help"""
     energy: bool = True
     """whether the energies are shown below it"""
     books: bool = False

@@ -1,7 +1,10 @@
 """The list of pages of the side panel, from which tabs, keys, help and commands are derived."""
 
 from collections.abc import Sequence
+from importlib import import_module
+from pkgutil import walk_packages
 
+import sandbox.app.pages
 from sandbox.app.pages import (
     accuracy,
     build,
@@ -44,6 +47,12 @@ PAGES: tuple[Page, ...] = (
 def page(command: str) -> Page:
     """Return the page that a command opens."""
     return next(page for page in PAGES if page.command == command)
+
+
+def preload() -> None:
+    """Import what all pages consist of, so that opening one does not take that time."""
+    for module in walk_packages(sandbox.app.pages.__path__, f"{sandbox.app.pages.__name__}."):
+        import_module(module.name)
 
 
 def opening(level: Level, shown: str) -> str:

@@ -1,6 +1,7 @@
 """The column on the right: the pages of the level behind tabs, and the footer below them."""
 
 from collections.abc import Iterator, Mapping
+from operator import is_not
 from typing import Literal
 
 import pygame
@@ -41,7 +42,7 @@ class SidePanel:
     ) -> None:  # fmt: skip
         self._session, self._pen = session, pen
         self._workers = workers
-        self.desk = Desk(session, workers.all, load, comfort, shown)
+        self.desk = Desk(session, workers.of, load, comfort, shown)
         """The objects with which pages work."""
         px = pen.px
         across = pygame.Rect(rect.x + px(MARGIN), px(TOP), rect.width - 2 * px(MARGIN), 0)
@@ -161,7 +162,8 @@ class SidePanel:
         if self._below:
             self._update_foot()
         state = self._state
-        changed = any(new is not old for new, old in zip(state, self._shown, strict=True))
+        old = self._shown  # shorter, if the workers have been made since
+        changed = len(state) != len(old) or any(map(is_not, state, old))
         moving = self._session.playing or self._session.sought is not None
         if not changed or (moving and self._since < REFRESH):
             return

@@ -1,6 +1,7 @@
 """The data of a run that pages, panels, the banner and the stage read."""
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from sandbox.app.observing.earlier_runs import Earlier, RunObservations, alike
 from sandbox.app.observing.energy_books import Books
@@ -14,10 +15,12 @@ from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
+
+if TYPE_CHECKING:
+    from sandbox.physics.accuracy.calibration import Setting
 
 
 class RunView:
@@ -90,7 +93,7 @@ class RunView:
         return self.run.begun_with
 
     @property
-    def setting(self) -> Setting | None:
+    def setting(self) -> "Setting | None":
         """The setting that reaches the accuracy of the level; None while it is unknown."""
         return self.run.setting
 

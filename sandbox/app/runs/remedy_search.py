@@ -3,8 +3,6 @@
 from sandbox.app.background import BackgroundTask
 from sandbox.app.runs.session import Session
 from sandbox.model.translatable_message import NOTHING, Message
-from sandbox.physics.advising import remedy_trials
-from sandbox.physics.advising.remedy_trials import Advice
 from sandbox.physics.state.errors import BlockedError, BreakdownError, SimulationError
 
 
@@ -26,12 +24,16 @@ class RemedySearch(BackgroundTask):
             if isinstance(failure, SimulationError) and not isinstance(
                 failure, BreakdownError | BlockedError
             ):
+                from sandbox.physics.advising import remedy_trials
+
                 session.run.trying = True
                 world = session.world
                 scene = session.level, session.values, world.stepping, session.duration
                 self._work.start(remedy_trials.findings, failure, *scene)
         if not session.run.trying:
             return
+        from sandbox.physics.advising.remedy_trials import Advice
+
         found = Advice(NOTHING)
         for finding in self._work.found():
             found = finding

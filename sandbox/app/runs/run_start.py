@@ -1,16 +1,17 @@
 """The start of a run: a world with the stepping that reaches its level's accuracy, if known."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.app.runs.companions import Companion, Variant
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.accuracy.calibration_cache import calibrated, recalled
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
+
+if TYPE_CHECKING:
+    from sandbox.physics.accuracy.calibration import Setting
 
 
 class Beginning(NamedTuple):
@@ -20,7 +21,7 @@ class Beginning(NamedTuple):
     """The world at the start."""
     companions: tuple[Companion, ...]
     """The companion runs."""
-    setting: Setting | None
+    setting: "Setting | None"
     """The setting that reaches the accuracy that the level asks for; None if it asks for none, or
     if the setting is not known yet."""
 
@@ -49,10 +50,13 @@ def at_rate(level: Level, rate: float | None) -> Level:
     return level.model_copy(update={"stepping": level.stepping.at(float(rate))})
 
 
-def _known(level: Level, values: Values, patient: bool) -> Setting | None:
+def _known(level: Level, values: Values, patient: bool) -> "Setting | None":
     target = level.stepping.accuracy
-    find = calibrated if patient else recalled
-    return None if target is None else find(level, values, target)
+    if target is None:
+        return None
+    from sandbox.physics.accuracy.calibration_cache import calibrated, recalled
+
+    return (calibrated if patient else recalled)(level, values, target)
 
 
 def _for_now(level: Level, values: Values) -> World:

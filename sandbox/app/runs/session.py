@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from typing import TYPE_CHECKING
 
 from sandbox.app.observing.forces_on_selection import SelectedBody
 from sandbox.app.runs.companions import NONE, Changes, Variant
@@ -14,11 +15,12 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.model.translatable_message import Message
-from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.accuracy.calibration_cache import keep
-from sandbox.physics.advising.remedy_trials import Advice
 from sandbox.physics.measuring.goals import Attempt
 from sandbox.physics.state.errors import SimulationError
+
+if TYPE_CHECKING:
+    from sandbox.physics.accuracy.calibration import Setting
+    from sandbox.physics.advising.remedy_trials import Advice
 
 MOST_LEVELS = 4
 """The number of levels for which the parameters that fit are kept."""
@@ -187,7 +189,7 @@ class Session(Playback):
         self.playing = False
         self.do_again(actions, steps, AT_ONCE)
 
-    def take(self, advice: Advice) -> None:
+    def take(self, advice: "Advice") -> None:
         """Add the remedies that were found to the failure of the run."""
         self.run.trying, self.run.advice = False, advice
         if isinstance(self.failure, SimulationError):
@@ -226,8 +228,10 @@ class Session(Playback):
         self.begun_as, self.changes = level, changes
         self._take_up(LiveRun(self.original, begun))
 
-    def settle(self, setting: Setting) -> None:
+    def settle(self, setting: "Setting") -> None:
         """Restart with the setting that reaches the level's accuracy, now that it is known."""
+        from sandbox.physics.accuracy.calibration_cache import keep
+
         keep(self.begun_as, self.values, setting)
         self.restart()
 

@@ -282,15 +282,19 @@ class Stage:
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
         """Draw the joints in front of bodies, and open ones, or else those behind bodies."""
         world, many = self.view.world, len(self.view.world.level.joints) > bodies.FEW
+        known = joint_paths.between_all_ends(world) if many and not in_front else joint_paths.NONE
+        t, made = float(world.snapshot.t), world.scene.joints
         for row, (name, joint) in enumerate(world.level.joints.items()):
-            there = world.scene.joints.holds(name, float(world.snapshot.t))
-            if in_front and not there:
-                self._draw_open(surface, name)
-            if isinstance(joint, joints.IN_FRONT) is not in_front or not there:
+            drawn = isinstance(joint, joints.IN_FRONT) is in_front and not isinstance(joint, Wire)
+            if not drawn and not (in_front and made.latches):
+                continue  # wires are a part of the base
+            if not made.holds(name, t):
+                if in_front:
+                    self._draw_open(surface, name)
                 continue
-            if isinstance(joint, Wire):
-                continue  # a part of the base
-            path = joint_paths.path_of(self.camera, world, name, joint, self._angle_of)
+            if not drawn:
+                continue
+            path = joint_paths.path_of(self.camera, world, name, joint, self._angle_of, known)
             if many:
                 joints.draw_crowd(surface, self.camera, path)
             else:
@@ -310,8 +314,10 @@ class Stage:
     def _draw_bodies(self, surface: pygame.Surface) -> None:
         many = len(self.view.moving) > bodies.FEW
         turns = self.view.world.level.effects.rotation is not None
+        now = self.view.world.snapshot
+        places, angles = now.position.tolist(), now.angle.tolist()
         for outline in self.view.in_front:
-            position, angle = self.view.state(outline)
+            position, angle = places[outline.row], angles[outline.row]
             if not outline.moves:
                 self._draw_surface(surface, outline, self._middle())
             elif many:

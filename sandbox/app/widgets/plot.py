@@ -130,7 +130,7 @@ def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) 
     pixels = np.column_stack((span.pixels(series.x), up.pixels(series.y)))
     for part in _parts(pixels[np.isfinite(pixels).all(axis=1)], field):
         every = max(len(part) // MANY, 1)
-        kept = np.unique(np.append(np.arange(0, len(part), every), len(part) - 1))
+        kept = np.append(np.arange(0, len(part) - 1, every), len(part) - 1)
         _draw_part(surface, series, [(x, y) for x, y in part[kept].tolist()])
 
 

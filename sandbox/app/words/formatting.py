@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
+from typing import TYPE_CHECKING
 
 from sandbox.app.words import language, level_translation
 from sandbox.app.words.language import later, plural, say
@@ -17,11 +18,13 @@ from sandbox.model.level import (
     Stepping,
 )
 from sandbox.model.levels_with_changed_effects import Variation, shown
-from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.accuracy.offered_settings import Offer
-from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS, Trust, surviving
 from sandbox.physics.measuring.goals import Outcome
 from sandbox.physics.measuring.run_comparison import Difference
+
+if TYPE_CHECKING:
+    from sandbox.physics.accuracy.calibration import Setting
+    from sandbox.physics.accuracy.offered_settings import Offer
+    from sandbox.physics.accuracy.trusted_digits import Trust
 
 MINUS = "−"
 RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
@@ -254,7 +257,7 @@ def summary(found: Sequence[Difference], words: Say) -> Iterator[str]:
             yield f"{label} {difference(one)}"
 
 
-def offer(setting: Setting) -> str:
+def offer(setting: "Setting") -> str:
     """Describe the setting that reaches an accuracy, or the best one possible in real time."""
     if setting.in_real_time is None:
         return f"{error(setting.target)}: {_offer(setting.playable)}"
@@ -275,7 +278,7 @@ def stepping(chosen: Stepping) -> str:
     return say("{scheme} at {rate:g} Hz", scheme=name, rate=rate)
 
 
-def _offer(found: Offer) -> str:
+def _offer(found: "Offer") -> str:
     return say(
         "{setting}, error {error}, {cost:.3g} ms of computing for 1 s",
         setting=stepping(found.stepping),
@@ -284,7 +287,7 @@ def _offer(found: Offer) -> str:
     )
 
 
-def trusted(found: Trust) -> str:
+def trusted(found: "Trust") -> str:
     """Describe how many digits of a quantity hold in a run, and until when it is predictable."""
     message = plural("{count} digit holds", "{count} digits hold", found.digits)
     if not found.digits:
@@ -294,8 +297,10 @@ def trusted(found: Trust) -> str:
     return say("{digits}; predictable until t = {t}", digits=message, t=seconds(found.until))
 
 
-def next_digit(found: Trust) -> str:
+def next_digit(found: "Trust") -> str:
     """Describe what another digit of a quantity takes; empty if all that are shown hold."""
+    from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS
+
     if found.digits >= MOST_DIGITS or not found.off:
         return ""
     if found.next_digit is None:
@@ -305,6 +310,8 @@ def next_digit(found: Trust) -> str:
 
 def certain(value: float, off: float, unit: str) -> str:
     """Format a value that has an error, with only the digits that can be trusted."""
+    from sandbox.physics.accuracy.trusted_digits import surviving
+
     scale = degrees(1) if unit.startswith("rad") else 1.0
     digits = surviving(scale * value, scale * off)
     return quantity(value if digits else 0.0, unit, digits or 1, all_count=True)

@@ -8,15 +8,16 @@ from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from typing import NamedTuple
 
-from sandbox.editing.cleanup_after_edit import accepted
+from sandbox.editing.cleanup_after_edit import accepted, without_meaning
 from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placed_bodies import PlacedBody, distance, placed, xy
-from sandbox.editing.text_patches import put
+from sandbox.editing.text_patches import put, remove
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError
 from sandbox.model.excluded_pairs import apart
-from sandbox.model.joints import KINDS
+from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joints import KINDS, Pivot, body_of
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 from sandbox.model.translatable_message import word
@@ -54,6 +55,8 @@ def picks(kind: str) -> int:
 def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> EditResult:
     """Return a level with a new joint; if its bodies overlap, they no longer collide.
 
+    A motor takes the place of a pivot that is there, since it is a pin itself.
+
     `kind` is as in a level's file, and `chosen` has the two ends, in order. For a pulley, it also
     has the pegs between them. For a pin, it has the two parts, held at the first point; for a rail,
     the body that slides, and a point through which the rail passes, or the slot of a body; for a
@@ -78,6 +81,8 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Edi
     where = placed(level)
     said = _MADE.get(kind, _line)(list(chosen), where)
     name = new_name(kind, level)
+    if kind == "motor":
+        text = _unpinned(text, level, chosen)
     added = put(_apart(text, level, chosen, where), ("joints", name), {"type": kind, **said})
     return EditResult(accepted(*_turning(added, level, kind)), (name,))
 
@@ -88,6 +93,17 @@ def _turning(added: str, level: Level, kind: str) -> tuple[str, ...]:
         return (added,)
     turning = put(added, ("effects", "rotation"), {})
     return (turning, added) if kind == "pivot" else (added, turning)
+
+
+def _unpinned(text: str, level: Level, chosen: Sequence[Pick]) -> str:
+    """Return a level without the pivots that hold the same two parts at the same point."""
+    there, parts = complex(*chosen[0].point), {pick.body for pick in chosen[:2]}
+    for name, joint in level.joints.items():
+        if not isinstance(joint, Pivot) or {body_of(end) for end in joint.ends} != parts:
+            continue
+        if abs(place(joint.ends[0], level.bodies, level.defaults) - there) <= OVERLAP:
+            text = without_meaning(remove(text, ("joints", name)))
+    return text
 
 
 def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> str:

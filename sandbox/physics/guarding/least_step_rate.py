@@ -53,7 +53,7 @@ def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Rat
     Tensions and speeds change: ask again, or leave a margin. The bodies whose impacts are `located`
     in time may be fast.
     """
-    moves = fast(scene, np.hypot(*now.velocity.T), located)
+    moves = fast(scene, np.hypot(*now.velocity.T), widths(scene), located)
     return sorted((*_springs(scene, now), *_taut(scene, now), *moves), reverse=True)
 
 
@@ -84,20 +84,28 @@ def _taut(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
         yield RateBound(rate, Message("the joint '{name}'", name=name.partition(" ")[2]))
 
 
-def fast(scene: Scene, speeds: Array, located: Container[str] = ()) -> Iterator[RateBound]:
-    """Yield the rates at which bodies of given speeds, (n,) [m/s], move by their width in a step.
+def widths(scene: Scene) -> Array:
+    """Return the smallest width of each body's shapes, (n,) [m].
 
-    Those whose impacts are `located` need none. Lines are left out: they are as wide as the skin,
-    and no practical rate is enough.
+    That of lines is infinite: they are as wide as the skin, and no practical rate is enough.
     """
-    for (name, body), speed, moves in zip(
-        scene.bodies.items(), speeds.tolist(), (scene.mass > 0).tolist(), strict=True
-    ):
-        if not moves or speed == 0 or name in located:
-            continue
-        wide = min(map(width, plain(body.shapes)), default=0.0)
-        if wide > THIN:
-            yield RateBound(speed / wide, Message("the body '{name}'", name=name))
+    shapes = (map(width, plain(body.shapes)) for body in scene.bodies.values())
+    least = np.array([min(each, default=0.0) for each in shapes])
+    return np.where(least > THIN, least, np.inf)
+
+
+def fast(
+    scene: Scene, speeds: Array, wide: Array, located: Container[str] = ()
+) -> Iterator[RateBound]:
+    """Yield the rates at which bodies move by their width in a step.
+
+    The speeds are (n,) [m/s], the widths `wide` those of `widths`. Bodies whose impacts are
+    `located` need none.
+    """
+    rates = np.where(scene.mass > 0, speeds / wide, 0.0)
+    for name, rate in zip(scene.bodies, rates.tolist(), strict=True):
+        if rate > 0 and name not in located:
+            yield RateBound(rate, Message("the body '{name}'", name=name))
 
 
 def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[RateBound]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
@@ -296,8 +297,18 @@ class Recorder:
             return ()
         from sandbox.physics.guarding.least_step_rate import fast
 
-        found = fast(world.scene, self._speeds, contact.located or ())
-        return tuple(sorted(need for need in found if need.rate > world.stepping.rate))[::-1]
+        far = self._speeds > world.stepping.rate * self._widths
+        found = fast(
+            world.scene, np.where(far, self._speeds, 0.0), self._widths, contact.located or ()
+        )
+        return tuple(sorted(found))[::-1]
+
+    @cached_property
+    def _widths(self) -> Array:
+        """The smallest widths of the bodies, (n,) [m]; to find them takes as long as a frame."""
+        from sandbox.physics.guarding.least_step_rate import widths
+
+        return widths(self._world.scene)
 
 
 def _add(to: dict[Pair, list[Met]], pair: Pair, what: Met) -> None:

@@ -64,6 +64,19 @@ def test_what_turns_a_body_declares_that_bodies_turn() -> None:
     assert parse(rope.text).effects.rotation is None
 
 
+@pytest.mark.parametrize("other", [BOX.body, None])
+def test_a_motor_takes_the_place_of_a_pivot_since_it_is_a_pin_itself(other: str | None) -> None:
+    parts = [DISC, DISC._replace(body=other)]
+    pinned = add_joint(scene(), parse(scene()), "pivot", parts).text
+    elsewhere = add_joint(pinned, parse(pinned), "pivot", [BOX, BOX._replace(body=None)]).text
+
+    made = parse(add_joint(elsewhere, parse(elsewhere), "motor", parts).text)
+
+    assert list(made.joints) == ["pivot2", "motor1"]
+    if other is None:  # else the frame is pinned and driven at once
+        build(made).advance(3)
+
+
 def test_a_string_leaves_its_wheel_on_the_side_that_was_picked() -> None:
     tied = Pick((0, 6))
     for x, way in ((0.4, "counterclockwise"), (-0.4, "clockwise")):

@@ -99,11 +99,12 @@ class JoinTool(Tool):
 
     @property
     def proposed(self) -> Proposed[EditResult] | None:
-        """The edit that a click here would make."""
+        """The edit that a click here would make; None if there is nothing here to be joined."""
         if self._spot is None or (self._clicks.several and self._ends(self._spot)):
             return None
         places = self._with(self._spot)
-        return self._tie(places) if self._complete(places, self._spot) else None
+        makes = self._complete(places, self._spot) and any(place.body for place in places)
+        return self._tie(places) if makes else None
 
     def _tie(self, places: Sequence[Pick]) -> Proposed[EditResult]:
         """Return the edit that makes the joint."""
@@ -150,8 +151,12 @@ class JoinTool(Tool):
     def _make(self) -> None:
         picks = tuple(self._places)
         self._places.clear()
+        self._spot = None  # nothing is proposed on top of this joint until the mouse moves
         first, second = (pick.body or say("the plane") for pick in (picks[0], picks[-1]))
         self._bench.tell(say("Tied: {first} to {second}", first=first, second=second))
+        effects = self._bench.level.effects
+        if self.kind == "motor" and effects.contact and effects.friction is None:
+            self._bench.tell(say("Without the effect 'friction', a wheel that it drives slips"))
         said = say("tie a {joint}", joint=say(self.kind))
         self._bench.make(said, self._tie(picks).edit, "joints")
 

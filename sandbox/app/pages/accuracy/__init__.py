@@ -1,11 +1,11 @@
 """The page of the accuracy: the cost of another digit."""
 
-from sandbox.app.pages.accuracy.background_study import Studying
-from sandbox.app.pages.accuracy.panel import AccuracyPage
-from sandbox.app.pages.page import Desk, Page, PageCommand
+from sandbox.app.pages.page import Desk, Page, PageCommand, imported
 
 
 def _measure(desk: Desk) -> None:
+    from sandbox.app.pages.accuracy.background_study import Studying
+
     desk.worker(Studying).measure_or_cancel(desk.session)
 
 
@@ -14,7 +14,7 @@ PAGE = Page(
     caption="Accuracy",
     key="a",
     text="accuracy: what the next digit costs",
-    panel=AccuracyPage,
-    worker=Studying,
+    panel=imported("sandbox.app.pages.accuracy.panel", "AccuracyPage"),
+    worker=imported("sandbox.app.pages.accuracy.background_study", "Studying"),
     commands=(PageCommand("measure", "A", "start or stop measuring error and cost", _measure),),
 )

@@ -1,8 +1,6 @@
 """The page of graphs."""
 
-from sandbox.app.pages.graph.chosen_quantities import Choice
-from sandbox.app.pages.graph.panel import GraphPage
-from sandbox.app.pages.page import Page
+from sandbox.app.pages.page import Page, imported
 
 PAGE = Page(
     name="graph",
@@ -10,6 +8,6 @@ PAGE = Page(
     key="d",
     text="graphs of any quantity against any other",
     recalls=True,
-    panel=GraphPage,
-    worker=Choice,
+    panel=imported("sandbox.app.pages.graph.panel", "GraphPage"),
+    worker=imported("sandbox.app.pages.graph.chosen_quantities", "Choice"),
 )

@@ -1,13 +1,13 @@
 """The page of the level itself: description, parameters, checks."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.app.cards.card import heading
-from sandbox.app.cards.checks import checks, unjudged
-from sandbox.app.pages.accuracy.background_study import Studying
+from sandbox.app.cards.checks import NOTHING, checks, unjudged
 from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.session import Session
@@ -19,6 +19,8 @@ from sandbox.app.words.language import later, say
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
 
+    from sandbox.physics.accuracy.accuracy_study import ErrorBudget
+
 SWITCH = 26  # px
 TIP = later(
     "a changed parameter acts from now on; the run so far stays (Shift O, or Shift and drag)"
@@ -29,8 +31,7 @@ class LevelPage:
     """The description of the level, its parameters, and the results of its checks."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
-        self._sheet, self._session = sheet, desk.session
-        self._studying = desk.worker(Studying)
+        self._sheet, self._session, self._desk = sheet, desk.session, desk
         pen, width, level = sheet.pen, sheet.width, desk.session.original
         y = below(sheet.image(header(pen, width, level), sheet.margin // 2)) + 8
         if level.parameters:
@@ -68,8 +69,16 @@ class LevelPage:
             session.readings(),
             level_translation.of(session.original),
             disturbed=session.world.disturbed,
-            splits=self._studying.splits(session),
+            splits=self._splits(),
         )
+
+    def _splits(self) -> Mapping[int, "ErrorBudget"]:
+        """Return the two parts of the errors; none before the first step, when nothing is off."""
+        if not self._session.world.steps:
+            return NOTHING
+        from sandbox.app.pages.accuracy.background_study import Studying
+
+        return self._desk.worker(Studying).splits(self._session)
 
 
 def turn(session: Session) -> str:

@@ -1,13 +1,12 @@
 """The page of the momentum."""
 
-from sandbox.app.pages.momentum.card import momentum
-from sandbox.app.pages.page import Page
+from sandbox.app.pages.page import Page, imported
 
 PAGE = Page(
     name="momentum",
     caption="Momentum",
     key="m",
     text="momentum of each body and of all together",
-    card=momentum,
+    card=imported("sandbox.app.pages.momentum.card", "momentum"),
     books=True,
 )

@@ -1,17 +1,15 @@
 """The page of the race between schemes."""
 
-from sandbox.app.pages.page import Page, PageCommand
+from sandbox.app.pages.page import Page, PageCommand, imported
 from sandbox.app.pages.race import scheme_comparison
-from sandbox.app.pages.race.card import standing
-from sandbox.app.pages.race.panel import RacePage
 
 PAGE = Page(
     name="race",
     caption="Race",
     key="s",
     text="race: every scheme at once",
-    card=standing,
-    panel=RacePage,
+    card=imported("sandbox.app.pages.race.card", "standing"),
+    panel=imported("sandbox.app.pages.race.panel", "RacePage"),
     commands=(
         PageCommand(
             "race",

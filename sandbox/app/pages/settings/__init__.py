@@ -1,13 +1,12 @@
 """The page of the window's settings."""
 
-from sandbox.app.pages.page import Page
-from sandbox.app.pages.settings.panel import SettingsPage
+from sandbox.app.pages.page import Page, imported
 
 PAGE = Page(
     name="settings",
     caption="Settings",
     key="0",
     text="theme, size of text, language, motion and sound",
-    panel=SettingsPage,
+    panel=imported("sandbox.app.pages.settings.panel", "SettingsPage"),
     energy=False,
 )

@@ -1,14 +1,12 @@
 """The page of values as a table."""
 
-from sandbox.app.pages.page import Page
-from sandbox.app.pages.table.panel import TablePage
-from sandbox.app.pages.table.stopwatch import Stopwatch
+from sandbox.app.pages.page import Page, imported
 
 PAGE = Page(
     name="table",
     caption="Table",
     key="1",
     text="table of what is graphed, by time; stopwatch",
-    panel=TablePage,
-    worker=Stopwatch,
+    panel=imported("sandbox.app.pages.table.panel", "TablePage"),
+    worker=imported("sandbox.app.pages.table.stopwatch", "Stopwatch"),
 )
