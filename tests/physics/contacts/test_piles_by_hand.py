@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from contextlib import suppress
 from math import cos, pi, radians, sin, sqrt
+from random import Random
 
 import numpy as np
 import pytest
@@ -233,17 +234,22 @@ def test_dominoes_fall_on_each_other() -> None:
     assert books.closing.unexplained < 0.01 * books.closing.turned
 
 
-def triangles() -> Level:
+def triangles(seed: int | None = None) -> Level:
     """Sixteen triangles that fall into a bin, of different sizes and turned."""
     things: dict[str, Spec] = {}
+    random = Random(seed)
     for i in range(16):
-        size, x = 0.8 + 0.4 * (0.71 * i % 1), 0.22 + 0.4 * (i % 4) + 0.02 * (0.618 * i % 1)
+        shares = [random.random() for _ in range(4)]
+        if seed is None:
+            shares = [0.618 * i % 1, 0, 0.71 * i % 1, 0.37 * i % 1]
+        aside, up, big, turned = shares
+        size, x = 0.8 + 0.4 * big, 0.22 + 0.4 * (i % 4) + 0.02 * aside
         corners = [[-0.13 * size, -0.08 * size], [0.13 * size, -0.08 * size], [0.03, 0.14 * size]]
         things[f"triangle{i}"] = {
             "shape": {"type": "polygon", "vertices": corners},
             "mass": 1,
-            "position": [x, 0.4 + 0.4 * (i // 4)],
-            "angle": 6 * (0.37 * i % 1),
+            "position": [x, 0.4 + 0.4 * (i // 4) + 0.02 * up],
+            "angle": 6 * turned,
             "friction": 0.4,
         }
     walls = {"type": "polyline", "points": [[0, 3], [0, 0], [1.7, 0], [1.7, 3]]}
@@ -259,6 +265,16 @@ def test_corners_stay_in_the_corners_of_a_bin() -> None:
     assert world.scene.direct
     assert deepest < 1e-4  # m; 2e-5 seen
     assert books.closing.unexplained < 0.02 * books.closing.turned
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("seed", [2, 6, 7])
+def test_triangles_that_are_poured_do_not_sink_into_each_other(seed: int) -> None:
+    """They were 1.8, 4.6 and 13 mm deep: what closed in a part of a drift was lost in the next."""
+    _, deepest, books = course(triangles(seed), 1)
+
+    assert deepest < 1e-5  # m; 8e-7 seen
+    assert books.closing.unexplained < 0.01 * books.closing.turned
 
 
 @pytest.mark.parametrize(

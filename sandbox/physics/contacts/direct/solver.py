@@ -303,10 +303,10 @@ class DirectSolver:
 
     def _stop(self, kick: Kick, crowded: Booleans) -> None:
         """Let what would land in a crowd, (n,), come to touch after a kick, and go no further."""
-        start = self._beginning()
-        again = partial(take, start=start, known=self._known)
-        taken = self._taken or again(kick)
-        self._keep(stopped(taken, crowded, self._speculative, self._build, again), start)
+        start, known, look, build = self._beginning(), self._known, self._speculative, self._build
+        taken = self._taken or take(kick, start, known)
+        found = stopped(taken, crowded, look, build, lambda _, kick: take(kick, start, known))
+        self._keep(found[0], start)
 
     def _whole(self, place: Coordinates, moved: Array) -> DriftPart:
         """Return the drift after a kick as one part, with velocities (3 N,)."""

@@ -14,7 +14,7 @@ contacts act from there on.
 It is cut where friction ends a slip as well; see `slip_ends`. From there on it holds, if it can. So
 it is where a rope becomes taut or a stop is reached, which is an impact; see `joint_catches`.
 
-Bodies that take no part in a landing go on as they were.
+Bodies that take no part go on as they were. A crowd that lands is stopped: `unlocated_landings`.
 """
 
 from collections.abc import Sequence
@@ -42,7 +42,7 @@ from sandbox.physics.contacts.direct.drifts.joint_catches import (
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.drifts.part_solver import PartSolver
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
-from sandbox.physics.contacts.direct.drifts.unlocated_landings import crowd
+from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, crowd, stopped
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
@@ -53,10 +53,6 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.warm_start import recalled
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans
 from sandbox.physics.state.errors import JointFailure, NoForces
-
-SHORT = 0.1
-"""The share of a drift below which the forces of its last part are solved for a whole one: those of
-a short part follow from small differences of positions, and their rounding is traced far back."""
 
 LEAST = 0.06
 """The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
@@ -86,8 +82,8 @@ class DriftCutter(PartSolver):
     at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
     energy, and `stopped`, (n,), which bodies are in crowds that were stopped: they do not land.
 
-    `reached`, (n,), tells which bodies take part in landings, and `crowd`, (n,), which are in a
-    crowd: then nothing is located. `record` has what collided in them, and how hard.
+    `reached`, (n,), tells which bodies take part in landings, and `crowd`, (n,), which are a crowd
+    from the start on: then nothing is located. `record` has what collided in them, and how hard.
     """
 
     def __init__(
@@ -101,10 +97,9 @@ class DriftCutter(PartSolver):
         stopped: Booleans,
     ) -> None:
         super().__init__(laws, until, driven=driven)
-        self._speculative, self._build, self._stopped = speculative, build, stopped
-        self._meetings = MeetingFinder(speculative, laws)
+        self._speculative, self._build, self._still = speculative, build, stopped
+        self._meetings, self._anew = MeetingFinder(speculative, laws), True
         count = len(laws) // 3 - 1
-        self._anew = True
         self._whole: DriftPart  # the drift
         self.crowd: Booleans = np.zeros(count, dtype=bool)
         self._begin(np.zeros(count, dtype=bool))
@@ -128,7 +123,8 @@ class DriftCutter(PartSolver):
 
     def _begin(self, reached: Booleans) -> None:
         """Begin a drift in whose landings some bodies, (n,), are known to take part."""
-        self.reached = reached
+        self.reached, self._stopped = reached, self._still
+        self._calm = self._stopped & ~reached  # who was stopped, and moves as then
         self._stops = self._catches = 0  # the ends of slips, and the catches, that were located
         self._early: Booleans | None = None  # who takes part from the first landing on
         self._near: list[Pair] = []  # who might take part
@@ -153,24 +149,15 @@ class DriftCutter(PartSolver):
         if len(parts) > MOST:
             self.crowd, parts = moving(whole.kick), [whole]
         elif len(parts) > 1:
-            parts[-1] = self._lasting(parts[-1], whole.drift)
+            last = parts[-1]._replace(halts=bool(self._stopped.any()))
+            parts[-1] = self._lasting(last, whole.drift)
         return parts
 
-    def _lasting(self, last: DriftPart, drift: float) -> DriftPart:
-        """Return the last part with forces that last for a whole drift [s].
+    def _cut(self, part: DriftPart, number: int) -> tuple[DriftPart, ...]:
+        """Return a part, of a number, up to its first landing, and the rest; nothing without one.
 
-        They stay its own if other rows would be active then.
+        The part alone, if a crowd was stopped in it.
         """
-        if last.drift >= SHORT * drift:
-            return last
-        try:
-            longer = self._solved(last, drift, drift / 2)
-        except (JointFailure, NoForces):
-            return last
-        return last._replace(lasting=longer.forces) if longer.active.equals(last.active) else last
-
-    def _cut(self, part: DriftPart, number: int) -> tuple[DriftPart, DriftPart] | None:
-        """Return a part, of a number, up to its first landing, and the rest; None without one."""
         kick, known = part.kick, (self.reached, self._early)
         free = self._loose(part)
         stopped = self._until_it_stops(free)
@@ -182,10 +169,11 @@ class DriftCutter(PartSolver):
         catch = inf if free is part else catch_time(seen, self._laws, self._until, seen.drift)
         met, catch = (None, catch) if met is None or catch < met.time else (met, inf)
         sunk = [] if catch < inf else self._sunk(seen)
-        lands = met or stopped or sunk or catch < inf
-        if not lands or (met and self._is_crowd(part, met, number)):
+        if not (met or stopped or sunk or catch < inf):
             self.reached = known[0]
-            return None
+            return ()
+        if met and ((halted := self._halted(part, met, number, known[0])) or self.crowd.any()):
+            return halted
         self._take_in(around(kick, [*(met.pairs if met else ()), *sunk]))
         self._early = self.reached if self._early is None else self._early
         try:
@@ -203,7 +191,7 @@ class DriftCutter(PartSolver):
             return seen, self._land(seen, left, met, ahead.pairs)
         except (JointFailure, NoForces):
             self.reached, self._early = known  # it is found where the drift ends
-            return None
+            return ()
 
     def _loose(self, part: DriftPart) -> DriftPart:
         """Return a part in which no slack joint acts, if one catches in it; else the part."""
@@ -230,22 +218,45 @@ class DriftCutter(PartSolver):
             self.reached = known
         return stopped
 
-    def _is_crowd(self, part: DriftPart, met: FirstMeeting, number: int) -> bool:
-        """Return whether so many land that they are a crowd, left to `unlocated_landings`."""
-        begins = part.left >= self._whole.drift and not self._stopped.any()
-        self.crowd = crowd(part.kick, met, number, self._speculative.dull if begins else None)
-        return bool(self.crowd.any())
+    def _halted(
+        self, part: DriftPart, met: FirstMeeting, number: int, reached: Booleans
+    ) -> tuple[DriftPart, ...]:
+        """Return a part in which a crowd comes to touch, if one lands in it.
+
+        If that is the whole drift, the kick before it is left to whoever takes it. `number` counts
+        the parts; `reached`, (n,), took part in what has landed so far.
+        """
+        begins, many = part.left == self._whole.drift, number + met.times > FORESEEN
+        crowded = crowd(part.kick, met, self._speculative.dull, self.record.struck)
+        if many and (begins or not crowded.any()):
+            self.crowd = moving(part.kick)
+        elif begins and (crowded & ~self._still).any():
+            self.crowd = crowded
+        if begins or not crowded.any():
+            return ()
+
+        def again(part: DriftPart, kick: Kick) -> DriftPart:
+            self._take_in(around(kick, kick.contacts.bodies[-kick.closes :].tolist()))
+            return self._again(part, kick)
+
+        known, self.reached = self.reached, reached
+        self._take_in(crowded)
+        found, crowded = stopped(part, crowded, self._speculative, self._build, again)
+        if found is part:
+            self.reached = known  # no forces are found
+            return ()
+        self._stopped, self._calm = self._stopped | crowded, self._calm | crowded
+        return (found,)
 
     def _sunk(self, part: DriftPart) -> list[Pair]:
         """Return the pairs of bodies because of which a part is divided."""
-        if part.drift <= LEAST * self._whole.drift:
-            return []
-        return part.sunk
+        return part.sunk if part.drift > LEAST * self._whole.drift else []
 
     def _is_calm(self, pair: Pair) -> bool:
         """Return whether one of two bodies was stopped, and nothing has struck them since."""
         both = [*pair]
-        return bool(self._stopped[both].any() and not self.reached[both].any())
+        calm, moved = self._calm[both], self.reached[both]
+        return bool(calm.any() and not (moved & ~calm).any())
 
     def _kept(
         self, part: DriftPart, shorter: DriftPart, met: FirstMeeting | None
@@ -267,11 +278,11 @@ class DriftCutter(PartSolver):
         lengths = joints.lengths(self._until - left), joints.lengths(self._until)
         rest = self._meetings.resting(shorter, near)
         known = shorter.kick.contacts_at(place).and_(rest)
-        kick = self._build.anew(place, known.and_(down), lengths)
+        kick = self._following(shorter, self._build.anew(place, known.and_(down), lengths))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self._take_in(around(kick, down.and_(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
-        struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
+        struck = ~kick.ahead & (kick.layout.touching.pair >= len(known.bodies))
         catching = shorter.kick.slack & ~kick.slack
         if met or catching.any():
             begun, stages = self._struck(part, struck, catching)
@@ -293,10 +304,17 @@ class DriftCutter(PartSolver):
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
         kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
+        kick = self._following(shorter, kick)
         self._take_in(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         part = DriftPart(kick, left, left, begun, left / 2, forces, active, begun, stages)
         return self._closed(self._solved(part, left, left / 2))
+
+    def _following(self, ended: DriftPart, kick: Kick) -> Kick:
+        """Return the rows where a part ends, with those that are still to close from there on."""
+        self._calm = self._calm & ~self.reached  # these go on in another way
+        opened = ended.kick.open_at(ended.end)
+        return self._build.with_ahead(kick, opened) if len(opened.bodies) else kick
 
     def _struck(
         self, part: DriftPart, struck: Booleans, catching: Booleans

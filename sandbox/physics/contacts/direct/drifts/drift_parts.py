@@ -60,6 +60,8 @@ class DriftPart(NamedTuple):
         (r,), the forces that last beyond it, if its own are too rough for that; else None [N].
     flat
         See `KickResult`.
+    halts
+        Whether crowds were stopped in the drift; see `unlocated_landings`.
     """
 
     kick: Kick
@@ -73,6 +75,7 @@ class DriftPart(NamedTuple):
     before: tuple[Stage, ...] = ()
     lasting: Array | None = None
     flat: bool = False
+    halts: bool = False
 
     @classmethod
     def after(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
@@ -251,7 +254,7 @@ class CutDrift:
             ways -= part.drift * part.moved[places]
         whole, last = self.whole.drift, self.parts[-1]
         ways += whole / 2 * (left + ended[-1])
-        unsure = ((last.steady - self._lasting) @ self._ended.response)[places]
+        unsure = ((_lasting(last) - self._lasting) @ self._ended.response)[places]
         ways -= (whole**2 - last.drift**2) / 8 * unsure
         inertia = inertia_of(self.whole.kick.joints.inverse)[places]
         return float(np.sum((inertia * self.laws[places] * ways)[self.reached]))
@@ -298,12 +301,28 @@ def _catches(whole: DriftPart, first: DriftPart) -> bool:
     return bool((whole.kick.joints.pulls_only & taut & ~pulls).any())
 
 
+def _lasting(last: DriftPart) -> Array:
+    """Return the forces of the last part in islands where no gaps of a crowd close: (r,) [N]."""
+    kick, layout, forces = last.kick, last.kick.layout, last.steady
+    closes = kick.ahead & (last.forces[layout.gaps] > 0)
+    if not (last.halts and closes.any()):
+        return forces
+    rows, forces = np.zeros(len(forces), dtype=bool), forces.copy()
+    rows[layout.gaps] = closes
+    for island, _, _ in layout.islands:
+        if rows[island].any():
+            forces[island] = 0.0
+    return forces
+
+
 def _steady(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:
     """Return the forces of the last part that may stand for a whole kick after it: (r,).
 
     Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would give
-    the bodies more energy than they have, or than the laws alone give them, and count as 0.
+    the bodies more energy than they have, or than the laws alone give them, and count as 0. So do
+    those of islands in which gaps of a crowd close: such forces do work, and would give it back.
     """
+    last = last._replace(lasting=_lasting(last))
     kinetic, pulls = last.kick.joints.kinetic, last.steady @ last.kick.response
     least = kinetic(last.moved) + kinetic(missing * laws)
     if kinetic(last.moved - missing * (laws + pulls)) <= GROWS * least:

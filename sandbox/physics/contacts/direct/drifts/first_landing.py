@@ -26,14 +26,17 @@ def until_first(
 ) -> tuple[DriftPart, FirstMeeting]:
     """Return a part that ends with its first landing, and that landing.
 
-    Forces differ in a shorter part. So the pair that comes first in the whole one may come later
-    than another there.
+    Forces differ in a shorter part. So what comes first in the whole one may come later than
+    something else there, which may not even land in the whole one: gaps that close in the part slow
+    bodies down less in a shorter one.
     """
-    coming = met.coming
     shorter, met = _until(part, met, meetings, shortened)
     for _ in range(SOONER):
-        others = PossibleMeetings([pair for pair in coming if pair not in met.pairs], (), ())
-        sooner = meetings.first(shorter, shorter.drift, others) if others.pairs else None
+        ahead = meetings.ahead(shorter, lambda _: False)
+        pairs = [pair for pair in ahead.pairs if pair not in met.pairs]
+        corners = [one for one in ahead.corners if one.pair not in met.pairs]
+        others = PossibleMeetings(pairs, corners, ())
+        sooner = meetings.first(shorter, shorter.drift, others) if any(others) else None
         if sooner is None:
             break
         shorter, met = _until(part, sooner, meetings, shortened)

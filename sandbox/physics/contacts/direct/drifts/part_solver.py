@@ -14,11 +14,15 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.joints.exact.constraint_interface import order
-from sandbox.physics.state.errors import NoForces
+from sandbox.physics.state.errors import JointFailure, NoForces
 
 BRIEF = 1e-3
 """The share of a drift for which the forces of the whole one will do where none are found: rounding
 of gaps, over so short a time, may ask for velocities that exclude each other."""
+
+SHORT = 0.1
+"""The share of a drift below which the forces of its last part are solved for a whole one: those of
+a short part follow from small differences of positions, and their rounding is traced far back."""
 
 
 class PartSolver:
@@ -66,6 +70,19 @@ class PartSolver:
             moved=moved,
             flat=flat,
         )
+
+    def _lasting(self, last: DriftPart, drift: float) -> DriftPart:
+        """Return the last part with forces that last for a whole drift [s].
+
+        They stay its own if other rows would be active then.
+        """
+        if last.drift >= SHORT * drift:
+            return last
+        try:
+            longer = self._solved(last, drift, drift / 2)
+        except (JointFailure, NoForces):
+            return last
+        return last._replace(lasting=longer.forces) if longer.active.equals(last.active) else last
 
     def _shortened(self, part: DriftPart, drift: float, near: DriftPart) -> DriftPart:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""

@@ -4,19 +4,22 @@ When a car drives into a pile, each landing moves all bodies in contact, which c
 landings. To solve the whole pile again for each of them would take longer than many short steps,
 and their order is a matter of rounding. So the kick before the drift is solved once more, with a
 row for everything that would land: gaps may close within the drift, but no further (Stewart and
-Trinkle 1996; Anitescu and Potra 1997). That is of first order in the time step. Such landings do
-not rebound, so bodies with a large restitution are never treated in this way.
+Trinkle 1996; Anitescu and Potra 1997). If some have landed in the drift before, what is left of it
+is solved in this way. That is of first order in the time step. Such landings do not rebound, so
+bodies with a large restitution are never treated in this way.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 import numpy as np
 
 from sandbox.physics.contacts.direct.complementarity.islands import islands
-from sandbox.physics.contacts.direct.drifts.drift_parts import moving
+from sandbox.physics.contacts.direct.drifts.drift_parts import around, moving
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
+from sandbox.physics.contacts.direct.drifts.landing_record import LandingImpact
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
-from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult
+from sandbox.physics.contacts.direct.kicks.speculative_kicks import SolvedKick
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
     LOOKS,
     SpeculativeContacts,
@@ -33,18 +36,21 @@ FORESEEN = 24
 few of those ahead may come to nothing: no more than 16 are ever located, and a pile that is thrown
 at a floor would have them located in vain."""
 
+Some = TypeVar("Some", bound=SolvedKick)
 
-def crowd(kick: Kick, met: FirstMeeting, number: int, dull: Booleans | None) -> Booleans:
+
+def crowd(
+    kick: Kick, met: FirstMeeting, dull: Booleans, struck: Sequence[LandingImpact]
+) -> Booleans:
     """Return which bodies are in a crowd, (n,), from what meets in a part of a drift.
 
-    `number` counts the parts. `dull`, (n, n), tells which pairs rebound so little that some of them
-    may be a crowd at the start of a drift; None if this is not its start.
+    `struck` landed in the parts before it. `dull`, (n, n), tells which pairs rebound so little that
+    they may be stopped.
     """
     moves = moving(kick)
-    if number + met.times > FORESEEN:
-        return moves
     crowded = np.zeros(len(moves), dtype=bool)
-    landings = [p for p in (*met.coming, *met.falling) if dull[p]] if dull is not None else []
+    pairs = *(one.bodies for one in struck), *met.coming, *met.falling
+    landings = [pair for pair in pairs if dull[pair]]
     if len(landings) <= MANY:
         return crowded
     groups = [np.flatnonzero(kick.acts[rows].any(axis=0)) for rows, _, _ in kick.layout.islands]
@@ -57,22 +63,24 @@ def crowd(kick: Kick, met: FirstMeeting, number: int, dull: Booleans | None) -> 
 
 
 def stopped(
-    taken: KickResult,
+    solved: Some,
     crowded: Booleans,
     look: SpeculativeContacts,
     build: KickBuilder,
-    again: Callable[[Kick], KickResult],
-) -> KickResult:
+    again: Callable[[Some, Kick], Some],
+) -> tuple[Some, Booleans]:
     """Return a kick after which what would land in a crowd comes to touch, and goes no further.
 
-    `again` takes the kick with more rows. What it finds no impulses for is left to land.
+    Also the crowd with those who are pushed by it, (n,). `again` solves the kick with more rows.
+    What it finds no impulses for is left to land.
     """
     for _ in range(LOOKS):
-        ahead = look.ahead(taken.kick, taken.moved, crowded)
+        ahead = look.ahead(solved.kick, solved.moved, crowded)
         if not len(ahead.bodies):
             break
         try:
-            taken = again(build.with_ahead(taken.kick, ahead))
+            solved = again(solved, build.with_ahead(solved.kick, ahead))
         except (JointFailure, NoForces):
             break
-    return taken
+        crowded = crowded | around(solved.kick, ahead.bodies.tolist())
+    return solved, crowded

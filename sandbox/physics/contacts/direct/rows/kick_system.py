@@ -116,6 +116,15 @@ class Kick:
         """Return the contacts that are still closed at other positions, `without` some."""
         return _shut(self.carried(place), without) if len(self.contacts.bodies) else NO_CONTACTS
 
+    def open_at(self, place: Coordinates) -> Contacts:
+        """Return the contacts that are still to close at other positions."""
+        if not self.closes:
+            return NO_CONTACTS
+        there, count = self.carried(place), len(self.contacts.bodies) - self.closes
+        opened = np.asarray(~_shut_points(there).any(axis=1))
+        opened[:count] = False
+        return Contacts._make(field[opened] for field in there)
+
     def carried(self, place: Coordinates) -> Contacts:
         """Return the contacts at other positions.
 
@@ -266,7 +275,7 @@ class Kick:
 
 def _shut(contacts: Contacts, without: Sequence[int]) -> Contacts:
     """Return contacts, `without` some, and only with points that are closed."""
-    shut = (contacts.depths > -PROUD) & (np.arange(2) < contacts.touches[:, None])
+    shut = _shut_points(contacts)
     second = ~shut[:, 0]
     points, depths = contacts.points.copy(), contacts.depths.copy()
     points[second, 0], depths[second, 0] = points[second, 1], depths[second, 1]
@@ -274,6 +283,12 @@ def _shut(contacts: Contacts, without: Sequence[int]) -> Contacts:
     stay: Booleans = np.asarray(shut.any(axis=1))
     stay[list(without)] = False
     return Contacts._make(field[stay] for field in left)
+
+
+def _shut_points(contacts: Contacts) -> Booleans:
+    """Return which points are closed: (c, 2)."""
+    shut = (contacts.depths > -PROUD) & (np.arange(2) < contacts.touches[:, None])
+    return np.asarray(shut, dtype=bool)
 
 
 def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:

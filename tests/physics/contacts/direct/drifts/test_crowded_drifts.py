@@ -8,6 +8,7 @@ import pytest
 
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
+from sandbox.physics.contacts.direct.drifts import drift_cutter
 from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
 from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.energy.book_closure import Closer
@@ -69,21 +70,23 @@ def bin_of_discs(rate: float) -> Level:
     return level({**walls, **discs}, PILED, stepping={"rate": rate})
 
 
-def crash(rate: float, start: float = -3) -> Level:
-    """A car of 900 kg on wheels of 9 kg drives into a pile of ten boxes at 5 m/s."""
+def crash(
+    rate: float, start: float = -3, *, rows: int = 4, mass: float = 900, speed: float = 5
+) -> Level:
+    """A car on wheels of a hundredth of its mass drives into a pile of boxes, ten in four rows."""
     rubs: Spec = {"friction": 0.5**0.5}
     bodies = {
         "ground": fixed({"type": "box", "width": 60, "height": 1}, (0, -0.5), **rubs),
-        "car": box((start, 0.5), size=(1.6, 0.4), mass=900, velocity=[5, 0], **rubs),
+        "car": box((start, 0.5), size=(1.6, 0.4), mass=mass, velocity=[speed, 0], **rubs),
     }
     joints = {}
     for name, way in (("rear", -0.55), ("front", 0.55)):
-        spin = -5 / 0.22
-        wheel = disc((start + way, 0.22), radius=0.22, mass=9, velocity=[5, 0], **rubs)
+        spin, at = -speed / 0.22, (start + way, 0.22)
+        wheel = disc(at, radius=0.22, mass=mass / 100, velocity=[speed, 0], **rubs)
         bodies[name] = {**wheel, "angular_velocity": spin}
         ends = [{"body": "car", "at": [way, -0.28]}, name]
         joints[f"{name}_axle"] = {"type": "pivot", "ends": ends}
-    places = [(i, row) for row in range(4) for i in range(4 - row)]
+    places = [(i, row) for row in range(rows) for i in range(rows - row)]
     for number, (i, row) in enumerate(places):
         at = 0.5 + 0.15 * row + 0.3 * i, 0.15 + 0.3 * row
         bodies[f"box{number}"] = box(at, size=(0.28, 0.3), mass=1 + number % 3, **rubs)
@@ -161,26 +164,36 @@ def test_what_lands_after_the_last_located_landing_does_not_overlap(scene: Level
 
 @pytest.mark.sweep
 @pytest.mark.parametrize(
-    ("rate", "start", "most"),
+    ("rate", "start"),
     [
-        (60, -3, 1e-4),
-        (60, -2.9998, 1e-6),
-        (240, -3, 3e-4),
-        (240, -2.9999, 3e-4),
-        (240, -2.9997, 3e-4),
+        (60, -3),
+        (60, -2.9998),
+        (240, -3),
+        (240, -2.9999),
+        (240, -2.9997),
     ],
 )
-def test_a_car_drives_into_a_pile(rate: float, start: float, most: float) -> None:
+def test_a_car_drives_into_a_pile(rate: float, start: float) -> None:
     """The boxes were 5.6 and 3.5 mm deep, and a step took five times as long.
 
     From 0.2 mm further on, 7 % of the energy was left without a cause: forces changed places. Where
     no forces were found up to a landing at 2e-5 of the drift, all landings in it were left out.
-    Boxes that turn while the car presses on them gain up to 0.2 %; rounding decides how much.
+    Boxes that turned while the car pressed on them gained 0.3 %; 0.02 % are left.
     """
     deepest, books = poured(crash(rate, start), 1.2)
 
-    assert deepest <= most
-    assert abs(books.closing.unexplained) <= 3e-3 * books.closing.turned
+    assert deepest <= 1e-6  # m; 2e-8 seen
+    assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turned
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("rate", [60, 240])
+def test_a_fast_car_drives_into_28_boxes(rate: float) -> None:
+    """They were 0.6 and 0.06 mm deep, in two and three to four times the time of a step."""
+    deepest, books = poured(crash(rate, -2.5, rows=7, mass=1000, speed=10), 0.45)
+
+    assert deepest <= 2e-5  # m; 4e-6 and 6e-6 seen
+    assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turned
 
 
 def test_a_crowd_that_bounces_on_a_floor_is_known_early(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -211,9 +224,9 @@ def test_a_crowd_that_bounces_on_a_floor_is_known_early(monkeypatch: pytest.Monk
     assert 0 < cuts <= 40
 
 
-def in_a_round_valley() -> Level:
+def in_a_round_valley(seed: int) -> Level:
     """Ten boxes fall into half a circle."""
-    random, bodies = Random(3), dict[str, Spec]()
+    random, bodies = Random(seed), dict[str, Spec]()
     for i in range(10):
         x, y = -0.4 + 0.28 * (i % 4), -0.3 + 0.3 * (i // 4)
         at = x + 0.02 * random.random(), y + 0.02 * random.random()
@@ -225,12 +238,16 @@ def in_a_round_valley() -> Level:
 
 
 @pytest.mark.sweep
-def test_boxes_that_overlap_in_a_round_valley_are_not_shot_out() -> None:
-    """One was, at 14 m/s, with 320 kJ from nowhere: an overlap was opened in a very brief part."""
-    deepest, books = poured(in_a_round_valley(), 0.8)
+@pytest.mark.parametrize("seed", [1, 3])
+def test_boxes_in_a_round_valley_neither_overlap_nor_are_shot_out(seed: int) -> None:
+    """One was, at 14 m/s, with 320 kJ from nowhere: an overlap was opened in a very brief part.
 
-    assert deepest <= 3e-3  # m; 1.6e-3 seen
-    assert abs(books.closing.unexplained) <= 0.02 * books.closing.turned  # J; 0.6 % seen
+    Others were 1.6 and 6.3 mm deep, where a corner of one box was taken for one of another.
+    """
+    deepest, books = poured(in_a_round_valley(seed), 0.8)
+
+    assert deepest <= 1e-7  # m; 3e-9 seen
+    assert abs(books.closing.unexplained) <= 0.01 * books.closing.turned  # J; 0.4 % seen
 
 
 @pytest.mark.sweep
@@ -261,7 +278,8 @@ def test_discs_stay_in_a_bowl(shape: Spec, place: tuple[float, float]) -> None:
 
 
 def test_without_the_stop_they_overlap_by_centimetres(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(solver, "stopped", lambda taken, *_: taken)
+    for module in (solver, drift_cutter):
+        monkeypatch.setattr(module, "stopped", lambda solved, crowd, *_: (solved, crowd))
 
     deepest, _ = poured(funnel(60), 0.6)
 
