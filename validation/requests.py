@@ -21,7 +21,7 @@ from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.counted_step_cost import counted_cost
 from sandbox.physics.accuracy.exceptions import AccuracyError
-from sandbox.physics.accuracy.step_refinement import furthest
+from sandbox.physics.accuracy.step_refinement import furthest, slowest
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.scene.usable_schemes import usable
 from sandbox.physics.state.errors import SimulationError
@@ -44,8 +44,9 @@ BETTER = 2.0
 ROUNDING = 1e-12
 """The difference below which errors count as equal."""
 
-LOWEST = 15.0
-"""The lowest rate of the sweep, or up to twice this [Hz]."""
+BELOW = 2.0
+"""The lowest rate that a scheme is offered at, as a multiple of the lowest in the sweep, at most.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,8 +159,9 @@ def _cheaper(
     """Return the setting of the sweep that is as accurate at far less work; empty if none is."""
     chosen = setting.chosen.stepping
     enough = _work(level, values, chosen) / EXPENSIVE
-    lowest = chosen.rate / 2 ** floor(log2(chosen.rate / LOWEST))  # they must share instants
     for scheme in usable(level):
+        least = slowest(chosen.model_copy(update={"scheme": scheme})) / BELOW
+        lowest = chosen.rate / 2 ** floor(log2(chosen.rate / least))  # they must share instants
         for doublings in count():
             rate = lowest * 2**doublings
             tried = chosen.model_copy(update={"scheme": scheme, "rate": rate})

@@ -9,9 +9,9 @@ from sandbox.model.translatable_message import Message, both
 from sandbox.physics.accuracy.chaos_detection import chaotic, foretold
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, watched
 from sandbox.physics.accuracy.exceptions import AccuracyError
-from sandbox.physics.accuracy.offered_settings import REAL_TIME, Offer
+from sandbox.physics.accuracy.offered_settings import REAL_TIME, Offer, SearchResult
 from sandbox.physics.accuracy.refinement_search import Progress
-from sandbox.physics.accuracy.setting_search import SearchResult, Seeker
+from sandbox.physics.accuracy.setting_search import Seeker
 from sandbox.physics.measuring.grading import applies
 
 BUDGET = 1.0
@@ -89,7 +89,7 @@ def calibrate(
         judged_by = _judged_by_energy(chaos, until)
         found = seeker.found((_ENERGY,))
     if found.chosen.error > target:
-        raise _refused(found, target, judged_by, until)
+        raise _refused(level, found, target, judged_by, until)
     return _setting(found, judged_by)
 
 
@@ -124,12 +124,19 @@ def _setting(found: SearchResult, judged_by: str) -> Setting:
 
 
 def _refused(
-    found: SearchResult, target: float, judged_by: Message, until: Message
+    level: Level, found: SearchResult, target: float, judged_by: Message, until: Message
 ) -> AccuracyError:
     """Return the error for an accuracy that cannot be reached; it names the best setting."""
     if found.decided_by:
         judged_by = Message(
             "{judged_by}, of which {name} decided", judged_by=judged_by, name=found.decided_by
+        )
+    judged = found.level.duration(found.values)
+    if judged < level.duration(found.values):
+        until = Message(
+            "{until}; smaller steps bring the first {t:.2g} s no closer to a result",
+            until=until,
+            t=judged,
         )
     return AccuracyError(
         "an accuracy of {target:g} cannot be reached; the best is {timed}, judged by"

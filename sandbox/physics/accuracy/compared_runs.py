@@ -144,12 +144,13 @@ def record(
     wanted: Sequence[Watched],
     stop: Stop = never,
     seen: float = SEEN,
+    look_at: Callable[[Recorder], None] | None = None,
 ) -> Trace:
     """Run a level for its duration and record the watched quantities.
 
     `seen` is the rate of observations, or up to twice that [Hz]; every step is observed if the run
-    is slower than that, or if a watched quantity depends on every step. Raises `Cancelled` if
-    `stop` returned true, and `SimulationError` if the run had to stop.
+    is slower than that, or if a watched quantity depends on every step. `look_at` is called now and
+    then. Raises `Cancelled` if `stop` returned true, and `SimulationError` if the run had to stop.
     """
     world = make_world(level, values, stepping)
     names = dict.fromkeys(name for item in wanted for name in _needed(item))
@@ -159,6 +160,8 @@ def record(
     for look in range(-(-count_steps(world) // steps)):  # rounded up, to reach the end
         if look % BLOCK == 0 and stop():
             raise Cancelled
+        if look_at and look and look % BLOCK == 0:
+            look_at(recorder)
         world.advance(steps)  # instants need samples at equal intervals
         recorder.note()
     return recorder.trace

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from math import floor
 from typing import NamedTuple
 
-from sandbox.model.level import HIGHEST_RATE, Stepping
+from sandbox.model.expressions import Values
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.translatable_message import Message
-from sandbox.physics.accuracy.compared_runs import Watched
+from sandbox.physics.accuracy.compared_runs import Watched, stride
 from sandbox.physics.accuracy.event_timing_errors import hidden
 from sandbox.physics.accuracy.refinement_search import at_rate
 from sandbox.physics.accuracy.step_refinement import (
@@ -17,6 +18,7 @@ from sandbox.physics.accuracy.step_refinement import (
     furthest,
     in_step,
     slowest,
+    step_durations,
 )
 from sandbox.physics.measuring.recording import Trace
 
@@ -116,6 +118,20 @@ class Offers:
         pairs = zip(self.refinements, self.work, strict=True)
         return min((_candidate(work, refinement, target) for refinement, work in pairs), key=rank)
 
+    def measured(self, target: float) -> Candidate:
+        """Return the most accurate run that misses a target, with its measured error.
+
+        It is one of which all steps were compared, if there is any.
+        """
+        runs = [
+            (error, trace, work)
+            for refinement, work in zip(self.refinements, self.work, strict=True)
+            for trace, error in zip(refinement.traces, refinement.errors, strict=True)
+        ]
+        whole = [run for run in runs if stride(run[1].stepping.rate) == 1]
+        error, trace, work = min(whole or runs, key=lambda run: run[0])
+        return _missed(trace, error, target, work)
+
     def in_real_time(self, steps: Sequence[float]) -> Offer | None:
         """Return the most accurate setting that runs in real time, given the cost of a step."""
         pairs = zip(self.refinements, steps, strict=True)
@@ -139,6 +155,32 @@ class Offers:
         return next(trace for trace in last if trace.stepping.at(stepping.rate) == stepping)
 
 
+@dataclass(frozen=True, slots=True)
+class SearchResult:
+    """The cheapest setting or, if none will do, the most accurate, and the runs behind it."""
+
+    level: Level
+    values: Values
+    target: float
+    wanted: Sequence[Watched]
+    offers: Offers
+    chosen: Candidate
+
+    @property
+    def decided_by(self) -> str:
+        """The quantity with the largest error; empty if no quantity has any."""
+        return self.chosen.decided_by or self.offers.decisive(self.chosen, self.wanted)
+
+    def timed(self) -> Offer:
+        """Return the setting with its cost, which is timed."""
+        return self.chosen.offer(*step_durations(self.level, self.values, self.chosen.stepping))
+
+    def in_real_time(self) -> Offer | None:
+        """Return the most accurate setting that runs in real time."""
+        last = [refinement.traces[-1].stepping for refinement in self.offers.refinements]
+        return self.offers.in_real_time(step_durations(self.level, self.values, *last))
+
+
 def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:
     """Return a refinement's cheapest setting, or its best, given the work of a step [s]."""
     last = refinement.traces[-1].stepping
@@ -153,6 +195,11 @@ def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:
             return Candidate(last.at(rate), refinement.error_at(rate), None, work * rate)
     runs = zip(refinement.traces, refinement.errors, strict=True)
     trace, error = min(runs, key=lambda run: run[1])
+    return _missed(trace, error, target, work)
+
+
+def _missed(trace: Trace, error: float, target: float, work: float) -> Candidate:
+    """Return a run as a setting that misses a target, given the work of a step [s]."""
     error = max(error, target * (1 + NOT_SEEN))
     return Candidate(trace.stepping, error, trace, work * trace.stepping.rate)
 

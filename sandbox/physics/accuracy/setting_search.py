@@ -6,7 +6,7 @@ is tried. If no run is accurate enough yet, a rate is extrapolated by the order 
 at that rate and one at twice the rate confirm it, unless they are too much work.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from math import log2
@@ -26,9 +26,11 @@ from sandbox.physics.accuracy.compared_runs import (
     scaled,
     stride,
 )
+from sandbox.physics.accuracy.counted_step_cost import counted_cost
+from sandbox.physics.accuracy.early_refusal import Doubt, OutOfReach
 from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocities
 from sandbox.physics.accuracy.exceptions import AccuracyError
-from sandbox.physics.accuracy.offered_settings import Candidate, Offer, Offers
+from sandbox.physics.accuracy.offered_settings import Candidate, Offers, SearchResult
 from sandbox.physics.accuracy.refinement_search import (
     FEWEST,
     Progress,
@@ -40,15 +42,15 @@ from sandbox.physics.accuracy.refinement_search import (
 from sandbox.physics.accuracy.step_refinement import (
     NEARLY,
     SPARE,
+    Refinement,
     foot,
     furthest,
     in_step,
     octaves,
     slowest,
-    step_durations,
 )
 from sandbox.physics.guarding.least_step_rate import needed
-from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.measuring.recording import Recorder, Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
 
@@ -73,32 +75,6 @@ MORE_SWEEPS = 4
 
 
 @dataclass(frozen=True, slots=True)
-class SearchResult:
-    """The cheapest setting or, if none will do, the most accurate, and the runs behind it."""
-
-    level: Level
-    values: Values
-    target: float
-    wanted: Sequence[Watched]
-    offers: Offers
-    chosen: Candidate
-
-    @property
-    def decided_by(self) -> str:
-        """The quantity with the largest error; empty if no quantity has any."""
-        return self.chosen.decided_by or self.offers.decisive(self.chosen, self.wanted)
-
-    def timed(self) -> Offer:
-        """Return the setting with its cost, which is timed."""
-        return self.chosen.offer(*step_durations(self.level, self.values, self.chosen.stepping))
-
-    def in_real_time(self) -> Offer | None:
-        """Return the most accurate setting that runs in real time."""
-        last = [refinement.traces[-1].stepping for refinement in self.offers.refinements]
-        return self.offers.in_real_time(step_durations(self.level, self.values, *last))
-
-
-@dataclass(frozen=True, slots=True)
 class Seeker:
     """A search for the cheapest setting of a level; the parameters are those of `calibrate`."""
 
@@ -118,14 +94,18 @@ class Seeker:
         begun = thread_time()
         if self.progress:
             self.progress(0.0, at_rate("leapfrog", self.level.stepping.rate))
-        own = own_run(self.level, self.values, wanted, self.stop)
+        doubt = Doubt(wanted, self.target, self.stop, begun, self.budget)
+        try:
+            own = own_run(self.level, self.values, wanted, self.stop, doubt)
+        except OutOfReach as known:
+            return self._hopeless(known.runs, known.wanted)
         wanted = scaled(wanted, own) if own else wanted
         refiners = [
             Refiner(self.level, self.values, start, wanted, self.target, known=own)
             for start in _candidates(self.level, self.values, self.target)
         ]
         refinements = refine(
-            refiners, self.budget, self.stop, self.progress, begun, CONFIRMED * self.budget
+            refiners, self.budget, self.stop, self.progress, doubt.begun, CONFIRMED * self.budget
         )
         if not refinements and (failure := refiners[-1].failure):
             raise failure
@@ -136,7 +116,16 @@ class Seeker:
         if chosen.error > self.target and chosen.stepping.is_stock:
             others = chosen, self._chosen(offers.without_stock, wanted)
             chosen = min(others, key=lambda found: max(found.error, self.target))
+        if chosen.error > self.target and chosen.trace is None:
+            chosen = offers.measured(self.target)
         return SearchResult(self.level, self.values, self.target, wanted, offers, chosen)
+
+    def _hopeless(self, known: Refinement, wanted: Sequence[Watched]) -> SearchResult:
+        """Return the best of the runs that show that the target is out of reach."""
+        run = known.traces[-1]
+        offers = Offers([known], [counted_cost(run.level, run.values, run.stepping)])
+        best = offers.measured(self.target)
+        return SearchResult(known.traces[0].level, self.values, self.target, wanted, offers, best)
 
     def _chosen(self, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
         """Return the cheapest setting of those offered, or the most accurate."""
@@ -236,9 +225,9 @@ class Seeker:
         """Return a setting with its error around the times when forces set in or end."""
         if not onsets.times:
             return chosen
-        rate = chosen.stepping.rate
+        rate, trace = chosen.stepping.rate, chosen.trace
         if (1 + CLOSER) * chosen.work * self.level.duration(self.values) > CONFIRMED * self.budget:
-            worst, item = self.target * onsets.rate / rate, onsets.items[0]
+            worst, item, trace = self.target * onsets.rate / rate, onsets.items[0], None
         else:
             run, finer = (
                 record_around(
@@ -251,16 +240,20 @@ class Seeker:
             worst, item = off * CLOSER / (CLOSER - 1), found or onsets.items[0]
         if worst <= chosen.error:
             return chosen
-        return chosen._replace(error=worst, decided_by=item.quantity)
+        return chosen._replace(error=worst, trace=trace, decided_by=item.quantity)
 
 
 def own_run(
-    level: Level, values: Values, wanted: Sequence[Watched], stop: Stop = never
+    level: Level,
+    values: Values,
+    wanted: Sequence[Watched],
+    stop: Stop = never,
+    look_at: Callable[[Recorder], None] | None = None,
 ) -> Trace | None:
     """Return a run at the level's own rate, from which motion gets its scales.
 
-    None if no motion is watched, so that nothing is run for it, or if it has to stop. Raises
-    `Cancelled` if `stop` returned true.
+    None if no motion is watched, so that nothing is run for it, or if it has to stop. `look_at` is
+    called now and then. Raises `Cancelled` if `stop` returned true.
     """
     if not any(item.motion for item in wanted):
         return None
@@ -268,7 +261,7 @@ def own_run(
     said = level.stepping
     own = Stepping(rate=said.rate, iterations=said.iterations, solver=solver)
     with suppress(SimulationError):
-        return record(level, values, own, wanted, stop)
+        return record(level, values, own, wanted, stop, look_at=look_at)
     return None
 
 
