@@ -290,3 +290,18 @@ def test_the_forces_on_a_chassis_are_written_beside_the_car(
     assert len(written) == 5
     assert all(each.place.collidelist(car) < 0 for each in written)
     assert any(each.leader for each in written)
+
+
+def test_what_was_measured_at_a_landing_is_not_written_across_the_ground(pen: Pen) -> None:
+    session = Session(load(level_catalog.find("kinematics/projectile")))
+    while session.t < 3.62:
+        session.step()
+    stage = Stage(pen, (640, 700))
+    stage.use(session.world)
+    stage.fit()
+    stage.draw(pygame.Surface((640, 700)), session.trail, session.milestones())
+
+    ground = stage.camera.path(stage.view.outlines["ground"].placed((0, 0), 0))
+    texts = [place for place in stage.view.labels._taken if place.width > 60]
+    assert len(texts) >= 3
+    assert not any(place.clipline(*ground) for place in texts)

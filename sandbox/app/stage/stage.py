@@ -331,13 +331,13 @@ class Stage:
 
 
 def _mark_lines(view: View, drawn: Sequence[Sequence[XY]]) -> None:
-    """Keep labels off wires that are drawn, sides of posts, springs, strings and rods, if possible.
+    """Keep labels off drawn wires, surfaces, posts, springs, strings and rods, if possible.
 
     Outlines with many corners are left out, since each piece takes time in each frame.
     """
-    posts = [o for o in view.still if o.closed and len(o.points) <= CORNERS]
-    sides = [view.camera.path(o.placed(*view.state(o))) for o in posts]
-    for line in (*drawn, *([*corners, corners[0]] for corners in sides)):
+    still = [o for o in view.still if len(o.points) <= CORNERS]
+    sides = [(view.camera.path(o.placed(*view.state(o))), o.closed) for o in still]
+    for line in (*drawn, *([*side, side[0]] if closed else side for side, closed in sides)):
         for start, end in pairwise(line):
             view.labels.mark(start, end)
     for name, joint in view.world.level.joints.items():
