@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sandbox.model.acting_events import tied
+from sandbox.model.events import tied
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import Instant, Level, Stepping

@@ -5,9 +5,9 @@ from collections.abc import Iterable, Iterator
 
 from sandbox.editing.json_spans import Spans
 from sandbox.editing.text_patches import put_all, remove
-from sandbox.model.acting_events import ACTIONS
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import LevelError
+from sandbox.model.events import ACTIONS
 from sandbox.model.json_positions import Path
 from sandbox.model.loading import parse
 

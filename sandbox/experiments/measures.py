@@ -22,6 +22,7 @@ import numpy as np
 from sandbox.experiments.observables import Observable
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.events import MOST_MEETINGS
 from sandbox.model.expressions import Expression
 from sandbox.model.level import (
     ApexEvent,
@@ -33,7 +34,6 @@ from sandbox.model.level import (
     Level,
     SeparationEvent,
 )
-from sandbox.model.measuring_instants import MOST_MEETINGS
 from sandbox.model.named_constants import let_use
 from sandbox.model.quantities import OVER_TIME, quantity
 from sandbox.model.translatable_message import Message

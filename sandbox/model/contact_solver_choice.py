@@ -2,8 +2,8 @@
 
 from collections import Counter
 
-from sandbox.model.acting_events import cut, tied
 from sandbox.model.effects.contact import Contact
+from sandbox.model.events import cut, tied
 from sandbox.model.joints import (
     Held,
     OneSided,

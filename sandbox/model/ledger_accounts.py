@@ -6,9 +6,9 @@ exchanged with the outside. Each effect declares which (see `sandbox.model.effec
 
 from collections.abc import Iterator
 
-from sandbox.model.acting_events import tied
 from sandbox.model.effects.contact import Contact
 from sandbox.model.effects.contract import Book
+from sandbox.model.events import tied
 from sandbox.model.joints import Joint, Spring, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in

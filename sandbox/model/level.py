@@ -19,24 +19,24 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from sandbox.model.acting_events import MOST_EVENTS, Event, bouncing, breakable
 from sandbox.model.annotated_fields import Prose
 from sandbox.model.base import Model, Name
 from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.challenge import Challenge
 from sandbox.model.effects import Effects
+from sandbox.model.events import MOST_EVENTS, Event, bouncing, breakable
+from sandbox.model.events import ApexEvent as ApexEvent
+from sandbox.model.events import ContactEvent as ContactEvent
+from sandbox.model.events import CrossingEvent as CrossingEvent
+from sandbox.model.events import Instant as Instant
+from sandbox.model.events import LandingEvent as LandingEvent
+from sandbox.model.events import SeparationEvent as SeparationEvent
 from sandbox.model.expressions import Expression, Positive, Values
 from sandbox.model.functions import Formula
 from sandbox.model.joints import (
     Joint,
 )
 from sandbox.model.json_positions import Origin, Path
-from sandbox.model.measuring_instants import ApexEvent as ApexEvent
-from sandbox.model.measuring_instants import ContactEvent as ContactEvent
-from sandbox.model.measuring_instants import CrossingEvent as CrossingEvent
-from sandbox.model.measuring_instants import Instant as Instant
-from sandbox.model.measuring_instants import LandingEvent as LandingEvent
-from sandbox.model.measuring_instants import SeparationEvent as SeparationEvent
 from sandbox.model.named_constants import define
 from sandbox.model.number_bounds import Duration, Finite
 from sandbox.model.reference_fields import Mention, QuantityName

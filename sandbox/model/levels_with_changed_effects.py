@@ -12,12 +12,12 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.model import parse_messages
-from sandbox.model.acting_events import ACTIONS
 from sandbox.model.body import Body
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Settings
 from sandbox.model.errors import MisuseError, brief
+from sandbox.model.events import ACTIONS
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level

@@ -6,8 +6,8 @@ rods, pins, rails and wires are allowed as well: they are reversible in time, to
 
 from collections.abc import Iterator
 
-from sandbox.model.acting_events import breakable
 from sandbox.model.errors import brief
+from sandbox.model.events import breakable
 from sandbox.model.joints import Joint, Spring, is_exact
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from sandbox.model.acting_events import cut, tied
+from sandbox.model.events import cut, tied
 from sandbox.model.level import Level
 
 

@@ -7,7 +7,7 @@ must that of its compositions.
 import numpy as np
 import pytest
 
-from sandbox.model import acting_events, level_catalog
+from sandbox.model import events, level_catalog
 from sandbox.model.joints import AngleStop, Joint, Rope, Stop
 from sandbox.model.ledger_accounts import losses, works
 from sandbox.model.level import Level
@@ -88,8 +88,8 @@ def conservative(level: Level) -> bool:
         and set(losses(level)) <= {"impacts"}
         and (effects.contact is None or bouncing)
         and not any(map(dead, level.joints.values()))
-        and not acting_events.tied(level.events)
-        and all(e(values) == 1 for _, e in acting_events.bouncing(level.joints))
+        and not events.tied(level.events)
+        and all(e(values) == 1 for _, e in events.bouncing(level.joints))
     )
 
 

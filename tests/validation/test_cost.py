@@ -18,9 +18,19 @@ from tests.physics.scenes import small_swings
 from validation import output
 from validation.cli import app
 from validation.cost import command
-from validation.cost.report import as_json, milliseconds, order_in_words, times
+from validation.cost.report import (
+    as_json,
+    cost_to_reach,
+    failed,
+    headline,
+    milliseconds,
+    next_digit,
+    order,
+    order_in_words,
+    pareto,
+    times,
+)
 from validation.cost.run_error import yardstick
-from validation.cost.summary import cost_to_reach, failed, headline, next_digit, order, pareto
 from validation.cost.sweep import QUICK, Budget, Point, Sweep, digits, errors, timed
 
 LEVELS = ["kinematics/free-fall", "lagrange/simple-pendulum"]

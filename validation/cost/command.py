@@ -13,8 +13,7 @@ from sandbox.model.file_writing import folder_of_files
 from sandbox.optional_packages import needed_for
 from sandbox.processes import spread
 from validation import output
-from validation.cost.report import as_json, asked, asked_table, summed, table
-from validation.cost.summary import failed
+from validation.cost.report import as_json, asked, asked_table, failed, summed, table
 from validation.cost.sweep import QUICK, Budget, Sweep, errors, timed
 
 EACH = 6

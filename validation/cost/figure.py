@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from sandbox.model.file_writing import write_atomically
 from sandbox.reporting import plot_style
-from validation.cost.summary import LEAST
+from validation.cost.report import LEAST
 from validation.cost.sweep import Point, Sweep
 
 LOOKS = {

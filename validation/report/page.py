@@ -14,7 +14,7 @@ from sandbox.reporting import html_pages, plot_style
 from sandbox.reporting.html_pages import inline
 from validation.cost import figure as cost_figure
 from validation.cost import report as cost_report
-from validation.cost.summary import TARGETS, cost_to_reach, next_digit
+from validation.cost.report import TARGETS, cost_to_reach, next_digit
 from validation.cost.sweep import NAIVE, Sweep
 from validation.effects import figure as effects_figure
 from validation.effects.command import rows

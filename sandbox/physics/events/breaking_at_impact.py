@@ -22,7 +22,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from sandbox.model.acting_events import breaking
+from sandbox.model.events import breaking
 from sandbox.model.expressions import Array
 from sandbox.physics.events.joint_impacts import Jolt
 from sandbox.physics.joints.exact.shake import ExactJoints

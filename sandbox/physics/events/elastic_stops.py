@@ -16,7 +16,7 @@ from typing import Self
 
 import numpy as np
 
-from sandbox.model.acting_events import beside_bouncing, bouncing
+from sandbox.model.events import beside_bouncing, bouncing
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.translatable_message import Message

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from sandbox.model.acting_events import Crossing
+from sandbox.model.events import Crossing
 from sandbox.model.expressions import Array
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import damps

@@ -12,9 +12,9 @@ from typing import cast
 import numpy as np
 import pymunk
 
-from sandbox.model.acting_events import beside_bouncing, bouncing, tied
 from sandbox.model.base import Model
 from sandbox.model.contact_solver_choice import is_alone
+from sandbox.model.events import beside_bouncing, bouncing, tied
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joint_ends_at_start import span
 from sandbox.model.joints import (

@@ -5,10 +5,10 @@ from typing import Literal
 
 import numpy as np
 
+from sandbox.model.events import Passage, crossed
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import Check, ContactEvent, Instant, SeparationEvent
-from sandbox.model.measuring_instants import Passage, crossed
 from sandbox.physics.measuring.event_interpolation import crossing, value_at, value_before
 from sandbox.physics.measuring.recording import Meeting, Trace
 

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
+from sandbox.model.events import MOST_MEETINGS, Passage, crossed
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured
-from sandbox.model.measuring_instants import MOST_MEETINGS, Passage, crossed
 from sandbox.model.quantities import TIME, base, quantity
 from sandbox.model.translatable_message import Message
 from sandbox.optional_packages import needed_for

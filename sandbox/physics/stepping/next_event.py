@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model.acting_events import Crossing, SingleEvent, loads
+from sandbox.model.events import Crossing, SingleEvent, loads
 from sandbox.model.expressions import Array
 from sandbox.physics.events.breaking_at_impact import SUDDEN
 from sandbox.physics.events.switching_events import NEAR, Part, crosses, within

@@ -8,7 +8,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from validation.case import Outcome
-from validation.cost.summary import ROUNDING
+from validation.cost.report import ROUNDING
 from validation.report.digest.levels_by_chapter import by_chapter
 
 CLOSEST = 5

@@ -6,7 +6,7 @@ from math import isfinite
 from statistics import median
 
 from validation.cost.accuracy_requests import EXPENSIVE, Request
-from validation.cost.summary import ROUNDING, Headline, headline, order
+from validation.cost.report import ROUNDING, Headline, headline, order
 from validation.cost.sweep import NAIVE, OURS, Sweep
 from validation.effects.costs import LevelCost
 from validation.report.digest.levels_by_chapter import by_chapter

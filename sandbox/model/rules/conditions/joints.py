@@ -6,8 +6,8 @@ from functools import partial
 
 import numpy as np
 
-from sandbox.model.acting_events import tied
 from sandbox.model.errors import brief
+from sandbox.model.events import tied
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Values
 from sandbox.model.joint_ends_at_start import place, span

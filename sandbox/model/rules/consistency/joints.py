@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from sandbox.model.acting_events import bouncing, tied
 from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.errors import brief
+from sandbox.model.events import bouncing, tied
 from sandbox.model.joints import (
     Joint,
     Own,

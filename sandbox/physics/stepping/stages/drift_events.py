@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model.acting_events import SingleEvent, happenings, loads
+from sandbox.model.events import SingleEvent, happenings, loads
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.impulse_propagation import reached
 from sandbox.physics.energy.step_record import StepRecord

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from functools import partial
 
-from sandbox.model.acting_events import loads
+from sandbox.model.events import loads
 from sandbox.physics.joints.joint_changes import stick
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.kick_context import Kick, Work

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 import pymunk
 
-from sandbox.model.acting_events import breakable
 from sandbox.model.body import Body
+from sandbox.model.events import breakable
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
