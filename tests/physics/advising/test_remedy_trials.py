@@ -41,7 +41,7 @@ def test_a_higher_rate_that_does_not_help_is_not_advised() -> None:
     scene = strut()
     found = tried(stop(scene), scene, scene.defaults, scene.stepping)
 
-    assert "take a higher 'rate'" not in str(found)
+    assert "a higher 'rate' may help" not in str(found)
     assert "a higher rate does not help (1,920 and 3,840 Hz)" in str(found)
     assert 'with "contact": {"solver": "direct"} it runs to its end, t = 0.3 s' in str(found)
     assert found.rate is None
