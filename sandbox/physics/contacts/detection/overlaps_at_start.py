@@ -70,9 +70,9 @@ def refuse_overlaps(
 ) -> None:
     """Refuse bodies that overlap by more than is allowed; the error names the worst pair.
 
-    Where the level allows overlaps, only those that have no direction to part in are refused. Bodies that never
-    collide, because they are welded or neither moves, are left out. The error is a
-    `SimulationError`.
+    Where the level allows overlaps, only those that have no direction to part in are refused.
+    Bodies that never collide, because they are welded or neither moves, are left out. The error is
+    a `SimulationError`.
     """
     least = tolerated(space, contact, values)
     found = overlaps(space, bodies, least, hollows, gates)
