@@ -18,7 +18,7 @@ from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
 from sandbox.physics.accuracy.compared_runs import lasting
-from sandbox.physics.advising.remedy_trials import leaning, tried
+from sandbox.physics.advising.remedy_trials import creeping, leaning, tried
 from sandbox.physics.measuring.csv_export import to_csv
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Trace, needed
@@ -93,9 +93,11 @@ def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
 
 
 def _close(trace: Trace) -> None:
-    """Print the run's energy balance, and whether a pile may lean, or an impact was missed."""
+    """Print the run's energy balance, whether a pile may lean, and whether an impact was missed."""
     if trace.leans:
         typer.echo(f"contacts: {leaning(trace.level, trace.values, trace.stepping)}")
+    elif creeps := creeping(trace):
+        typer.echo(f"contacts: {creeps}")
     if trace.unseen:
         rate, subject = trace.unseen[0]
         typer.echo(

@@ -470,7 +470,7 @@ def test_a_run_that_stops_is_judged_at_the_rate_that_is_advised() -> None:
     first = run(found, level, start(level))
     then = run_at_advised_rate(found, level)
 
-    assert first.failure.endswith(f"take a higher 'rate': {first.advised}, not {first.rate:g}")
+    assert first.failure.endswith(f"a higher 'rate' may help: {first.advised}, not {first.rate:g}")
     assert not then.failure
     assert then.rate >= 2 * first.rate
     assert then.seen.t[-1] == pytest.approx(first.asked)

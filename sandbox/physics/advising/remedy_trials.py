@@ -19,17 +19,18 @@ from sandbox.model.joints import Own, is_exact, is_solved_by_pymunk
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.translatable_message import NOTHING, Message, both, joined
 from sandbox.physics.guarding.least_step_rate import needed
-from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.measuring.recording import Trace, count_steps
+from sandbox.physics.measuring.unbalanced_contacts import NOTICED
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
+from sandbox.physics.state.cancellation_points import cancellable, cancellation_point
 from sandbox.physics.state.errors import BlockedError, BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
 
 DIRECT = Message('with "contact": {"solver": "direct"}')
 
 SECONDS = 4.0
-"""s of processor time for all trials, so that a busy machine finds the same; a step in progress is
-not cut short."""
+"""s of processor time for all trials, so that a busy machine finds the same."""
 
 STEPS = 50_000
 """The most steps of a trial."""
@@ -173,6 +174,31 @@ def leaning(level: Level, values: Values, stepping: Stepping) -> str:
     return f"{text}; {DIRECT} its forces are found"
 
 
+def creeping(trace: Trace) -> str:
+    """Return what sweeps left unbalanced in the piles of a run; empty if that is negligible.
+
+    Whether the forces are found directly is tried, and told with what a step takes then.
+    """
+    level, values, stepping = trace.level, trace.values, trace.stepping
+    if trace.unbalanced < NOTICED:
+        return ""
+    text = (
+        f"sweeps of the solver left {100 * trace.unbalanced:.2g} % of the forces between bodies"
+        " that rest on each other unbalanced, so they may creep, lean or fall"
+    )
+    if all(description is not DIRECT for description, *_ in _others(level, stepping)):
+        return text
+    begun, end = process_time(), float(trace.t[-1])
+    trial = _attempt(
+        DIRECT, solved_directly(level), stepping, None,
+        values=values, before=0.0, end=end, until=begun + SECONDS,
+    )  # fmt: skip
+    if trial.stopped or not trial.t:
+        return text
+    took = 1000 * (process_time() - begun) / stepping.steps(trial.t)
+    return f"{text}; {DIRECT} they are found, and a step takes {took:.3g} ms (tried)"
+
+
 def solved_directly(level: Level) -> Level:
     """Return a level with the direct solver for its contacts."""
     contact = level.effects.contact
@@ -238,23 +264,32 @@ def _attempt(
     until: float,
 ) -> _Trial:
     """Run a remedy as far as it goes."""
+    world: World | None = None
     try:
-        world = build(level, values, stepping)
+        with cancellable(partial(_look, until)):
+            world = build(level, values, stepping)
+            steps = count_steps(world, end)
+            _run(world, min(steps, STEPS))
+            whole = steps <= STEPS
+    except _LateError:
+        whole = False
     except SandboxError:
-        return _Trial(description, rate, 0.0, stopped=True)
-    steps = count_steps(world, end)
-    try:
-        whole = _run(world, min(steps, STEPS), until) and steps <= STEPS
-    except SandboxError:
-        return _Trial(description, rate, world.t, stopped=True)
-    slow = not whole and world.t < PAST * before
-    return _Trial(description, rate, world.t, whole=whole, slow=slow)
+        return _Trial(description, rate, world.t if world else 0.0, stopped=True)
+    t = world.t if world else 0.0
+    return _Trial(description, rate, t, whole=whole, slow=not whole and t < PAST * before)
 
 
-def _run(world: World, steps: int, until: float) -> bool:
-    """Take a number of observed steps; return whether the time was enough."""
+def _run(world: World, steps: int) -> None:
+    """Take a number of observed steps, with a cancellation point after each."""
     for _ in range(steps):
         world.advance()
-        if process_time() > until:
-            return False
-    return True
+        cancellation_point()
+
+
+class _LateError(SandboxError):
+    """The time for a trial is over."""
+
+
+def _look(until: float) -> None:
+    if process_time() > until:
+        raise _LateError("")

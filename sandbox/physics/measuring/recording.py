@@ -18,6 +18,7 @@ from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.measuring.running_aggregates import over_time
+from sandbox.physics.measuring.unbalanced_contacts import Unbalanced
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
@@ -69,6 +70,8 @@ class Trace:
     each. Bodies that touch at the start must separate before they can meet."""
     leans: bool = False
     """Whether the forces on bodies at rest at the start were not found: a pile may then lean."""
+    unbalanced: float = 0.0
+    """The share of the forces that sweeps left unbalanced in a pile; see `Unbalanced`."""
     closing: Closing | None = None
     """How its energy books closed; None if none were kept."""
     unseen: "tuple[RateBound, ...]" = ()
@@ -164,7 +167,7 @@ class Recorder:
         self._last: list[Snapshot] = []  # the last one measured, from which integrals continue
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
-        self._leans = leans(world)
+        self._leans, self._unbalanced = leans(world), Unbalanced(world)
         self._speeds = np.zeros(len(self._names))  # the highest where steps see impacts [m/s]
         self._meetings: dict[Pair, list[Meeting]] = {}
         self._partings: dict[Pair, list[int]] = {}
@@ -178,6 +181,7 @@ class Recorder:
 
     def note(self) -> None:
         """Record the world's last observed state."""
+        self._unbalanced.note()
         struck = self._world.impacts
         for pair, time in struck:
             _add(self._meetings, pair, Meeting(self._count, time))
@@ -287,6 +291,7 @@ class Recorder:
             self._meetings,
             self._partings,
             self._leans,
+            self._unbalanced.share,
             unseen=self._unseen(),
         )
 

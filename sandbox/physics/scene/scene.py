@@ -196,7 +196,7 @@ def _make_joints(
     assert space
     touches, direct = touches_of(space, level), is_direct(level, stepping)
     joints = assemble(level, values, bodies, batch, inverse_mass, touches, direct=direct)
-    if contact and not contact.overlaps:
+    if contact:
         from sandbox.physics.contacts.detection.overlaps_at_start import refuse_overlaps
 
         refuse_overlaps(space, bodies, contact, values, pairs.hollows, pairs.gates)

@@ -10,10 +10,11 @@ from sandbox.model.translatable_message import NOTHING, Message
 
 
 def way_out(needed: float, rate: float) -> Message:
-    """Return the advice to take the rate needed [Hz], or that no allowed rate is enough."""
+    """Return that the rate needed [Hz] may help, untried, or that no allowed rate is enough."""
     if needed > HIGHEST_RATE:
         return Message("no 'rate' that is allowed is enough")
-    return Message("take a higher 'rate': {needed:,}, not {rate:g}", needed=ceil(needed), rate=rate)
+    higher = ceil(needed)
+    return Message("a higher 'rate' may help: {needed:,}, not {rate:g}", needed=higher, rate=rate)
 
 
 class SimulationError(SandboxError):

@@ -125,12 +125,12 @@ def test_a_run_that_had_to_stop_elsewhere_is_told_in_german() -> None:
 
     assert language.say(error.message) == (
         "angehalten bei t = 1.5 s: die Verbindung „rod“ klafft um 0.0123 m auseinander;"
-        " „rate“ erhöhen: 12\N{NO-BREAK SPACE}345 statt 240"
+        " eine höhere „rate“ hilft vielleicht: 12\N{NO-BREAK SPACE}345 statt 240"
     )
     assert language.say("no film: {error}", error=error).endswith("statt 240")
     assert str(error) == (
         "stopped at t = 1.5 s: the joint 'rod' has parted by 0.0123 m;"
-        " take a higher 'rate': 12,345, not 240"
+        " a higher 'rate' may help: 12,345, not 240"
     )
 
 

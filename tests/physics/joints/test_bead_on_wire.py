@@ -182,7 +182,7 @@ def test_a_bend_that_is_too_sharp_for_the_step_is_told(rate: float, scheme: str)
         joints={"wire": bend},
         stepping={"rate": rate, "scheme": scheme},
     )
-    with pytest.raises(SimulationError, match=r"'wire' .*; take a higher 'rate'"):
+    with pytest.raises(SimulationError, match=r"'wire' .*; a higher 'rate' may help"):
         looked_at_each_step(build(scene), round(rate * 0.25))
 
 

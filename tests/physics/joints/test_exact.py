@@ -154,7 +154,7 @@ def test_a_chain_that_a_hand_pulls_straight_is_told_from_one_that_is_too_stiff(
 @pytest.mark.parametrize(
     ("link", "load", "says", "had"),
     [
-        (0.1, 1e3, "take a higher 'rate': ", True),
+        (0.1, 1e3, "a higher 'rate' may help: ", True),
         (0.01, 1e8, "no 'rate' that is allowed is enough", False),
     ],
 )

@@ -23,13 +23,20 @@ class ShapeContact(NamedTuple):
     """A contact of a shape.
 
     The unit normal points towards the other body, `body` of pymunk. There are one or two contact
-    points, the shape's own surface first; `depth` is the largest overlap [m].
+    points, the shape's own surface first; `depth` is the largest overlap [m]. `directed` tells
+    whether there is a direction to part in: not if the shapes have the same centre, or are lines
+    that lie in each other.
     """
 
     body: pymunk.Body
     normal: complex
     points: Sequence[Points]
     depth: float
+    directed: bool = True
+
+
+NUDGE = 1e-9
+"""m, by which a shape is moved to find how far it overlaps another one with the same centre."""
 
 
 def touched(
@@ -50,13 +57,49 @@ def touched(
         verdict = hollows.judge(shape, hit.shape) if hollows else True
         if hollows and not isinstance(verdict, bool):
             normal, *points = hollows.sides(shape, verdict)
-            yield ShapeContact(hit.shape.body, normal, [(points[0], points[1])], verdict.depth)
+            depth, directed = verdict.depth, not _concentric(shape, hit.shape)
+            sides = [(points[0], points[1])]
+            yield ShapeContact(hit.shape.body, normal, sides, depth, directed)
         elif verdict:
             both = [(complex(*p.point_a), complex(*p.point_b)) for p in found.points]
             normal = complex(*found.normal)
-            # pymunk's own distance has the wrong sign if it takes the other shape first
-            depth = max(dot(here - there, normal) for here, there in both)
-            yield ShapeContact(hit.shape.body, normal, both, depth)
+            depth = _depth(found) if normal else _nudged(shape, hit.shape)
+            directed = bool(normal) and not _concentric(shape, hit.shape)
+            yield ShapeContact(hit.shape.body, normal, both, depth, directed)
+
+
+def _depth(found: pymunk.ContactPointSet) -> float:
+    """Return the largest overlap of two shapes [m].
+
+    pymunk's own distance has the wrong sign if it takes the other shape first.
+    """
+    return max((p.point_a - p.point_b).dot(found.normal) for p in found.points)
+
+
+def _concentric(one: pymunk.Shape, other: pymunk.Shape) -> bool:
+    """Return whether two shapes are circles with the same centre."""
+    circles = isinstance(one, pymunk.Circle) and isinstance(other, pymunk.Circle)
+    return circles and one.bb.center() == other.bb.center()
+
+
+def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
+    """Return how far a shape overlaps another one with the same centre [m].
+
+    pymunk starts its search along the line between the centres, and finds nothing if there is none.
+    So the shape is moved a little to each side; the result is the least overlap.
+    """
+    body = shape.body
+    assert body
+    place, depths = body.position, [0.0]
+    for way in ((NUDGE, 0), (-NUDGE, 0), (0, NUDGE), (0, -NUDGE)):
+        body.position = place + way
+        shape.cache_bb()
+        found = shape.shapes_collide(other)
+        if found.normal != (0, 0):
+            depths.append(_depth(found))
+    body.position = place
+    shape.cache_bb()
+    return min(depths[1:], default=0.0)
 
 
 class Query:

@@ -1,7 +1,9 @@
 """The check for bodies that overlap at the start, which is a mistake in the level.
 
 The correction of overlaps would throw them apart, or leave them overlapping. So a level with
-overlaps must allow them explicitly, or is refused.
+overlaps must allow them explicitly, or is refused. Shapes with the same centre, and lines that lie
+in each other, are refused in any case: pymunk finds no direction in which they could part, and so
+boxes and lines would not even collide.
 """
 
 from collections.abc import Iterator, Mapping
@@ -34,11 +36,21 @@ class Overlap(NamedTuple):
     depth: float
     bodies: tuple[str, str]
     """Their names, in order."""
+    directed: bool = True
+    """Whether there is a direction in which they can part."""
 
     @property
     def reason(self) -> Message:
         """The fault that it is at the start."""
         one, other = self.bodies
+        if not self.directed:
+            return Message(
+                "'{one}' and '{other}' lie in each other at the start, {depth:.3g} m deep, and"
+                " nothing tells which way they part; move one of them",
+                one=one,
+                other=other,
+                depth=self.depth,
+            )
         return Message(
             "'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or"
             " give 'contact' \"overlaps\": true",
@@ -58,11 +70,14 @@ def refuse_overlaps(
 ) -> None:
     """Refuse bodies that overlap by more than is allowed; the error names the worst pair.
 
+    Where the level allows overlaps, only those that have no direction to part in are refused.
     Bodies that never collide, because they are welded or neither moves, are left out. The error is
     a `SimulationError`.
     """
     least = tolerated(space, contact, values)
-    worst = max(islice(overlaps(space, bodies, least, hollows, gates), ENOUGH), default=None)
+    found = overlaps(space, bodies, least, hollows, gates)
+    wrong = (pair for pair in found if not (contact.overlaps and pair.directed))
+    worst = max(islice(wrong, ENOUGH), default=None)
     if worst:
         raise SimulationError(worst.bodies[0], 0.0, worst.reason)
 
@@ -84,6 +99,7 @@ def overlaps(
     for name, body in bodies.items():
         for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
             for found in touched(space, shape, hollows, gates):
-                if found.depth > least and found.body is not body:
+                if found.body is not body and (found.depth > least or not found.directed):
                     other = names[found.body]
-                    yield Overlap(found.depth, (min(name, other), max(name, other)))
+                    pair = min(name, other), max(name, other)
+                    yield Overlap(found.depth, pair, found.directed)

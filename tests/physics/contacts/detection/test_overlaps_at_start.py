@@ -1,5 +1,6 @@
 """Bodies that overlap at the start are a mistake, unless the level says that it wants them to."""
 
+import re
 from math import cos, pi, sin, sqrt
 
 import pytest
@@ -129,3 +130,51 @@ def test_an_overlap_is_a_mistake_however_shallow_and_whoever_solves_contacts(
 
     told = f"'ball' and 'floor' overlap by {depth:.3g} m"
     assert refused(bodies, solver=solver).startswith(told)
+
+
+SQUARE, ROUND = box(size=(0.6, 0.6)), disc(radius=0.3)
+RING = {**ROUND, "shape": {"type": "hoop", "radius": 0.3}}
+LYING = {**LINE, "position": [0, 0]}
+
+
+@pytest.mark.parametrize("solver", ["iterative", "direct"])
+@pytest.mark.parametrize("wanted", [False, True])
+@pytest.mark.parametrize(
+    ("bodies", "depth"),
+    [
+        ((SQUARE, SQUARE), 0.6),
+        ((SQUARE, ROUND), 0.6),
+        ((ROUND, ROUND), 0.6),
+        ((RING, ROUND), 0.6),
+        ((SQUARE, LYING), 0.3),
+        ((LYING, fixed({"type": "segment", "start": [-3, 0], "end": [5, 0]})), 0),
+    ],
+    ids=["boxes", "disc in box", "discs", "disc in its hoop", "line in box", "lines"],
+)
+def test_what_lies_in_each_other_has_no_way_to_part_and_is_refused(
+    bodies: tuple[Spec, Spec], depth: float, *, wanted: bool, solver: str
+) -> None:
+    """pymunk finds no contact of boxes with the same centre: they stayed so, and fell through."""
+    scene = {"a": bodies[0], "b": bodies[1]}
+    reason = refused(scene, overlaps=wanted, solver=solver)
+
+    told = re.match(r"'a' and 'b' lie in each other at the start, (\S+) m deep", reason)
+    assert told
+    assert float(told[1]) == pytest.approx(depth, abs=2e-8)  # two skins
+
+
+def test_what_hardly_lies_apart_is_parted() -> None:
+    """However near the centres are: a direction is enough."""
+    scene = {"a": SQUARE, "b": {**SQUARE, "position": [1e-9, 0]}}
+
+    assert "overlap by 0.6 m" in refused(scene)
+    assert refused(scene, overlaps=True) == ""
+
+
+def test_three_discs_in_one_place_are_refused_and_not_lost() -> None:
+    """They ran away to NaN within a step."""
+    discs = {name: disc() for name in ("a", "b", "c")}
+    scene = level(discs, {"contact": {"overlaps": True, "solver": "direct"}})
+
+    with pytest.raises(SimulationError, match="lie in each other"):
+        build(scene)

@@ -198,8 +198,8 @@ def test_what_moves_absurdly_far_in_a_step_is_looked_at_only_so_often(
     monkeypatch.setattr(HollowPairs, "_times", counted)
     bodies: dict[str, Spec] = {
         "box": box(size=(0.5, 0.8)),
-        "small": {"shape": {"type": "hoop", "radius": 0.1}, "mass": 1},
-        "wide": box(size=(10, 4)),
+        "small": {"shape": {"type": "hoop", "radius": 0.1}, "mass": 1, "position": [0.7, 0]},
+        "wide": box((0, 3), size=(10, 4)),
         "hoop": {"shape": {"type": "hoop", "radius": 0.56}, "mass": 1},
     }
     effects = {
