@@ -501,7 +501,7 @@ def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     for module in (calibration, offered_settings):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     monkeypatch.setattr(
-        setting_search, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)
+        offered_settings, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)
     )
     scene = oscillator(c=1)  # no fourth order with a damper
     setting = calibrate(scene, target=1e-9)
