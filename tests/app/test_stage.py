@@ -10,6 +10,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import joints, strings
 from sandbox.app.stage.body_outlines import outlines
+from sandbox.app.stage.joint_paths import between_all_ends, between_ends
 from sandbox.app.stage.stage import Stage
 from sandbox.model import level_catalog
 from sandbox.model.joints import Rod, Wire
@@ -470,3 +471,13 @@ def test_one_of_many_joints_is_a_line(pen: Pen, monkeypatch: pytest.MonkeyPatch)
     stage.draw(pygame.Surface(SIZE))
 
     assert len(circles) < 10
+
+
+@pytest.mark.parametrize("name", ["machines/car-over-bumps", "hard/bridge-of-160"])
+def test_the_ends_of_many_joints_are_found_at_once_where_each_is(name: str) -> None:
+    world = scenes.opened(name, 20).world
+    apart = {joint: between_ends(world, joint) for joint in world.scene.joints.paths}
+
+    for joint, path in between_all_ends(world).items():
+        assert np.array(path) == pytest.approx(np.array(apart.pop(joint)), abs=1e-12)
+    assert not apart

@@ -9,6 +9,7 @@ import pytest
 from pygame_gui.core import UIElement
 
 from sandbox.app import main, window_timing
+from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.panels.verdicts_and_energies import Foot
 from sandbox.app.widgets.widget_helpers import Row
@@ -122,6 +123,24 @@ def test_a_level_that_equals_the_one_before_is_compared_once(
     person.wait(0.1)
 
     assert not compared.called
+
+
+def test_a_page_is_not_drawn_again_while_nothing_changes(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The editor's news were another tuple each time, so every page was drawn in each frame."""
+    person.window.open_level("newton/incline")
+    person.press(pygame.K_j, "j")
+    person.wait(0.2)
+    drawn = Mock()
+    monkeypatch.setattr(ForcesPage, "update", drawn)
+
+    person.wait(0.5)
+    assert not drawn.called
+
+    person.press(pygame.K_PERIOD, ".")
+    person.wait(0.1)
+    assert drawn.called
 
 
 @pytest.mark.sweep

@@ -53,6 +53,7 @@ class Editor:
         """Measures what each effect costs."""
         self.complete: Callable[[], bool] = bool
         """Accepts the first name that the page offers, and returns whether there is one."""
+        self._news: tuple[object, object] | None = None
         self._on_stage = EditorOnStage(self.work, self.trial.live, self.tools, self.applying)
 
     @property
@@ -63,7 +64,10 @@ class Editor:
     @property
     def news(self) -> object:
         """An object that differs whenever the display must change."""
-        return self.bench.news, self.costs.news
+        now = self.bench.news, self.costs.news
+        if now != self._news:  # else the same tuple: a new one would redraw every page, each frame
+            self._news = now
+        return self._news
 
     @property
     def running(self) -> bool:

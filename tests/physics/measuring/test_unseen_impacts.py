@@ -1,9 +1,13 @@
 """What may have passed through others between two steps is told."""
 
+import pymunk
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.run import simulate
+from sandbox.physics.geometry import outline_distance
+from sandbox.physics.guarding import least_step_rate
+from sandbox.physics.measuring.recording import Recorder
+from sandbox.physics.run import build, simulate
 from tests.physics.scenes import Spec, box, disc, fixed, level
 
 
@@ -37,3 +41,23 @@ def test_without_contact_there_is_nothing_to_miss() -> None:
     thrown = {"ball": disc((0, 0), radius=0.02, velocity=[100, 0])}
 
     assert simulate(level(thrown, {}, duration=0.1)).unseen == ()
+
+
+def test_how_wide_bodies_are_is_measured_once_in_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A pyramid's took 40 ms each time that the window graded its run."""
+    measured: list[object] = []
+    width = outline_distance.width
+
+    def counted(shape: pymunk.Shape) -> float:
+        measured.append(shape)
+        return width(shape)
+
+    monkeypatch.setattr(least_step_rate, "width", counted)
+    world = build(shot(240, solver="iterative"))
+    measured.clear()  # the start has its own limits
+    recorder = Recorder(world, [])
+    for _ in range(10):
+        world.step()
+        recorder.note()
+        assert len(recorder.trace.unseen) == 1
+    assert len(measured) == 3  # one for each body

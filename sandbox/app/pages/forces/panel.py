@@ -1,5 +1,7 @@
 """The page Forces: the diagram, the choice of axes, and what else the stage can show."""
 
+from collections.abc import Iterable, Iterator
+
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
@@ -37,14 +39,16 @@ class ForcesPage:
         self.observer = sheet.button(whole, say("Change the observer"), f"{tip} (4)")
         self._title = sheet.image(heading(sheet.pen, sheet.width, say("On the stage")), 0)
         self._shown = desk.shown
+        switched = [each for each in OVERLAYS if each.caption and each.on is not None]
+        places = self._rows(say(each.caption) for each in switched)
         self._overlays = {
             each.name: sheet.button(
-                whole, say(each.caption), f"{say(each.text)} ({each.key.upper()})"
+                place, say(each.caption), f"{say(each.text)} ({each.key.upper()})"
             )
-            for each in OVERLAYS
-            if each.caption and each.on is not None
+            for each, place in zip(switched, places, strict=True)
         }
-        self.update()
+        self._update_buttons()
+        sheet.end(self._place(below(self._image) + 4))
 
     def leads(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
@@ -72,22 +76,29 @@ class ForcesPage:
 
     def update(self) -> None:
         """Draw the forces again."""
-        for button, inclined in self._buttons:
-            press(button, self._axes.inclined is inclined)
+        self._update_buttons()
         self._sheet.replace(self._image, self._drawn())
-        for name, button in self._overlays.items():
-            press(button, self._shown[name])
         y = below(self._image) + 4
         if y != self._title.relative_rect.y:
             self._sheet.end(self._place(y))
+
+    def _update_buttons(self) -> None:
+        for button, inclined in self._buttons:
+            press(button, self._axes.inclined is inclined)
+        for name, button in self._overlays.items():
+            press(button, self._shown[name])
+
+    def _rows(self, captions: Iterable[str]) -> Iterator[pygame.Rect]:
+        """Return the places of buttons in rows, below each other [px]."""
+        sheet = self._sheet
+        return in_rows(map(sheet.room, captions), sheet.width, sheet.px(HEIGHT), GAP)
 
     def _place(self, y: int) -> int:
         """Place what is below the diagram, from a height on, and return the height of its end."""
         sheet = self._sheet
         self._title.set_relative_position((sheet.margin, y))
         y, high = below(self._title), sheet.px(HEIGHT)
-        widths = (sheet.room(button.text) for button in self._overlays.values())
-        places = in_rows(widths, sheet.width, high, GAP)
+        places = self._rows(button.text for button in self._overlays.values())
         for button, place in zip(self._overlays.values(), places, strict=True):
             button.set_dimensions(place.size)
             button.set_relative_position((sheet.margin + place.x, y + place.y))
