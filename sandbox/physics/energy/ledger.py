@@ -272,7 +272,8 @@ class Ledger:
     def _act(self, happened: EventEntries) -> Array:
         """Book the events in the last drift; return the velocities at its end."""
         self._go_on(happened.begun, happened.lifted)
-        self._entries.put_in({"events": happened.switched})
+        self._entries.put_in({"events": happened.switched, **happened.rubs})
+        self._entries.rub(happened.rubbed)
         rest = happened.given
         for law, worked, pushed in zip(self._laws, happened.worked, happened.pushed, strict=True):
             self._entries.do(law, worked)

@@ -1,7 +1,7 @@
 """The phases of slipping within a step, and the work of friction in each."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -68,6 +68,30 @@ class Slips(NamedTuple):
         return np.asarray(np.einsum("kbc,kbc->k", np.abs(self.way), sizes[self.bodies]))
 
 
+class Moves(Protocol):
+    """A part of a drift in which the accelerations of n bodies are constant; see `Phase`."""
+
+    @property
+    def lasts(self) -> float:
+        """Its duration [s]."""
+
+    @property
+    def place(self) -> Array:
+        """(n, 3), the positions at its start [m, rad]."""
+
+    @property
+    def velocity(self) -> Array:
+        """(n, 3), the velocities at its start [m/s, rad/s]."""
+
+    @property
+    def acceleration(self) -> Array:
+        """(n, 3), the accelerations in it [m/s², rad/s²]."""
+
+    @property
+    def forces(self) -> Contacts:
+        """The contacts, with forces in place of impulses."""
+
+
 class Phase(NamedTuple):
     """A part of a drift in which the accelerations of n bodies are constant."""
 
@@ -126,14 +150,7 @@ def booked(
         first._replace(lasts=half),
         last._replace(lasts=half, place=place - velocity * half, velocity=begun),
     )
-    rubbed, works, given = 0.0, {"bodies": 0.0, "belt": 0.0}, np.zeros(3)
-    for sign, parts in ((1, phases), (-1, halves)):
-        for part in parts:
-            mean = part.velocity + part.acceleration * (part.lasts / 2)
-            forces = part.forces.times(part.lasts)
-            work, drives = rubbing(forces, part.place[:, :2], mean, inertia, running)
-            rubbed += sign * work
-            works = {name: works[name] + sign * drives[name] for name in works}
+    (rubbed, works), given = rubbed_beyond(phases, halves, inertia, running), np.zeros(3)
     for part in phases:
         middle = part.place + part.velocity * (part.lasts / 2)
         given += momentum(inertia * part.acceleration * part.lasts, middle)
@@ -143,3 +160,21 @@ def booked(
     change = first.acceleration - last.acceleration
     lifted = float(np.sum(inertia * smooth * change)) * half * half / 2
     return SlipEntries(begun, rubbed, works, place - first.place - ways, lifted, given)
+
+
+def rubbed_beyond(
+    phases: Sequence[Moves], halves: Sequence[Moves], inertia: Array, running: Array
+) -> tuple[float, dict[str, float]]:
+    """Return the work of friction in phases beyond that in the halves of two kicks [J].
+
+    Also that of belts and kinematic bodies; see `booked`.
+    """
+    rubbed, works = 0.0, {"bodies": 0.0, "belt": 0.0}
+    for sign, parts in ((1, phases), (-1, halves)):
+        for part in parts:
+            mean = part.velocity + part.acceleration * (part.lasts / 2)
+            forces = part.forces.times(part.lasts)
+            work, drives = rubbing(forces, part.place[:, :2], mean, inertia, running)
+            rubbed += sign * work
+            works = {name: works[name] + sign * drives[name] for name in works}
+    return rubbed, works

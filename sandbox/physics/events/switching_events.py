@@ -5,14 +5,17 @@ An event happens at its own time on that parabola. From there another parabola, 
 acceleration, leads to the end of the drift.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from sandbox.model.events import Crossing
 from sandbox.model.expressions import Array
+from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
+from sandbox.physics.events.slip_work import rubbed_beyond
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import damps
 from sandbox.physics.state.motion import Instant, momentum
@@ -25,6 +28,9 @@ BISECTIONS = 60
 
 NEAR = 1e-6
 """The share of a step at its end in which no event happens: it waits for the next drift."""
+
+
+NOTHING: Mapping[str, float] = MappingProxyType({})
 
 
 class Part(NamedTuple):
@@ -40,6 +46,8 @@ class Part(NamedTuple):
     """(n, 3), the accelerations in it [m/s², rad/s²]."""
     cause: float = 0.0
     """The time after its start at which the forces act that cause them [s]."""
+    forces: Contacts = NO_CONTACTS
+    """The contacts, with forces in place of impulses."""
 
     def at(self, time: float) -> Instant:
         """Return the motion at a time after its start [s]."""
@@ -76,6 +84,10 @@ class EventEntries(NamedTuple):
     in the middle of the chord."""
     jolts: "Sequence[Jolt]" = ()
     """The impacts of joints in the drift."""
+    rubbed: float = 0.0
+    rubs: Mapping[str, float] = NOTHING
+    """The work of friction, and of belts and kinematic bodies, beyond that in the halves of the two
+    kicks [J]."""
 
 
 def crosses(crossing: Crossing, before: float, now: float) -> bool:
@@ -112,13 +124,18 @@ def since(holds: Callable[[float], bool], low: float, high: float) -> float:
 
 
 def acted(
-    parts: Sequence[Part], laws: Sequence[Law], inertia: Array, switched: float, dt: float
+    parts: Sequence[Part],
+    laws: Sequence[Law],
+    inertia: Array,
+    running: Array,
+    switched: float,
+    dt: float,
 ) -> EventEntries:
     """Return the entries for the books from a drift of several parts, of length dt [s].
 
     One part lies before the first event, and one after each event. The works and impulses are those
-    of `laws`; `inertia`, (n, 3), has masses, masses and moments [kg, kg m²], and `switched` is the
-    jump of the stored energy [J].
+    of `laws`; `inertia`, (n, 3), has masses, masses and moments [kg, kg m²], `running`, (n, 2), are
+    the velocities of running surfaces [m/s], and `switched` is the jump of the stored energy [J].
     """
     first, last, half = parts[0], parts[-1], dt / 2
     end, (place, velocity) = last.at(last.lasts), last.state(last.lasts)
@@ -143,7 +160,9 @@ def acted(
         return float(np.sum(sum(forces, np.zeros_like(inertia)) * part.acceleration))
 
     lifted = (raised(first) - raised(last)) * half * half / 2
-    return EventEntries(begun, switched, worked, pushed, given, lifted)
+    halves = first._replace(lasts=half), before
+    rubbed, rubs = rubbed_beyond(parts, halves, inertia, running)
+    return EventEntries(begun, switched, worked, pushed, given, lifted, rubbed=rubbed, rubs=rubs)
 
 
 def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> EventEntries:

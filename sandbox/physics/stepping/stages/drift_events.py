@@ -25,11 +25,12 @@ from sandbox.model.events import SingleEvent, happenings, loads
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.impulse_propagation import reached
 from sandbox.physics.energy.step_record import StepRecord
-from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.elastic_stops import Bounces
 from sandbox.physics.events.joint_impacts import Jolt, jolt
 from sandbox.physics.events.switching_events import Part, acted, acted_at_a_step, stored
+from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.joints.joint_forces import JointForces, pulls_of
 from sandbox.physics.state.motion import Instant
@@ -73,6 +74,7 @@ class EventStage:
         self._bounces = Bounces.of(scene, level, setup.values, self._borne, self._dt)
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
+        self._running = surfaces(scene.bodies.values())
         self._past: tuple[JointForces, JointForces] | None = (
             None  # in the last kick and the one before
         )
@@ -95,7 +97,14 @@ class EventStage:
         if not self._parts:
             return step
         if self._leapfrog:
-            done = acted(self._parts, self._laws, self._scene.inertia, self._switched, self._dt)
+            done = acted(
+                self._parts,
+                self._laws,
+                self._scene.inertia,
+                self._running,
+                self._switched,
+                self._dt,
+            )
         else:
             done = acted_at_a_step(self._begun, self._laws, self._switched)
         return step._replace(acted=done._replace(jolts=tuple(self._jolts)))
@@ -136,7 +145,19 @@ class EventStage:
         acceleration[self._fixed] = 0.0
         velocity = after - acceleration * (self._dt / 2) if self._leapfrog else after
         lasts = self._dt if self._leapfrog else 0.0
-        return Part(self._kicks.clock.after(0), lasts, state[:, :3], velocity, acceleration)
+        forces = self._forces_of(self._dt, struck)
+        return Part(
+            self._kicks.clock.after(0), lasts, state[:, :3], velocity, acceleration, forces=forces
+        )
+
+    def _forces_of(self, lasts: float, without: Booleans | None = None) -> Contacts:
+        """Return the contacts of a kick that lasts so long [s], with forces; some bodies' not."""
+        scene = self._scene
+        found = scene.direct.contacts if scene.direct else scene.batch.contacts()
+        if without is not None and len(found.bodies):
+            left = ~without[found.bodies].any(axis=1)
+            found = Contacts._make(field[left] for field in found)
+        return found.times(1 / lasts)
 
     def _struck(self) -> Booleans:
         """Return the bodies whose velocities an impact changed in the last kick: (n,)."""
@@ -195,8 +216,8 @@ class EventStage:
         if not (self._leapfrog and wait):
             return (part._replace(lasts=wait),)
         left = part.lasts - wait
-        acceleration = self._tried(part, self._ahead(left), part.state(wait), (left / 2, left))
-        return _in_halves(part._replace(lasts=wait), acceleration)
+        tried = self._tried(part, self._ahead(left), part.state(wait), (left / 2, left))
+        return _in_halves(part._replace(lasts=wait), *tried)
 
     def _ahead(self, left: float) -> float:
         """Return the share of a step that has passed, given the time left of a drift [s]."""
@@ -228,7 +249,8 @@ class EventStage:
             after = landing.left
         acceleration = (after - velocity) / (left / 2)
         acceleration[self._fixed] = 0.0
-        return Part(t, left, place, velocity, acceleration)
+        forces = self._forces_of(left / 2)
+        return Part(t, left, place, velocity, acceleration, forces=forces)
 
     def _halves(self, part: Part) -> tuple[Part, Part]:
         """Return the halves of the last part of a drift with jolts, with the force at its end.
@@ -238,13 +260,12 @@ class EventStage:
         place, _ = part.state(part.lasts)
         _, middle = part.state(part.lasts / 2)
         lasts = (part.lasts + self._dt) / 2, self._dt
-        acceleration = self._tried(part, 1.0, (place, middle), lasts)
-        return _in_halves(part, acceleration)
+        return _in_halves(part, *self._tried(part, 1.0, (place, middle), lasts))
 
     def _tried(
         self, part: Part, ahead: float, state: tuple[Array, Array], lasts: tuple[float, float]
-    ) -> Array:
-        """Return the accelerations in a trial kick: (n, 3) [m/s², rad/s²].
+    ) -> tuple[Array, Contacts]:
+        """Return the accelerations in a trial kick, (n, 3) [m/s², rad/s²], and its contacts.
 
         Bodies that an impact, or a rope that becomes taut, stops in it keep those of the part. The
         kick is `ahead` steps after the last step, at positions and velocities `state`, (n, 3) each;
@@ -255,11 +276,13 @@ class EventStage:
         self._scene.batch.set_state(np.concatenate(state, axis=1))
         with self._kicks.tried():
             after = self._kicks.settle(ahead, state[1], *lasts, at_step=True)
+            forces = self._forces_of(lasts[0])
         pulls = pulls_of(joints, count)
         caught = pulls.pulls_only & (pulls.tension > 0) & ~(before.tension > 0)
         wild = self._struck() | pulls.jacobian[caught].any(axis=(0, 2))
         found = (after - state[1]) / lasts[0]
-        return np.where((wild | self._fixed)[:, None], part.acceleration, found)
+        forces = part.forces if wild.any() else forces
+        return np.where((wild | self._fixed)[:, None], part.acceleration, found), forces
 
     def _throw(self, name: str, happening: SingleEvent, t: float) -> None:
         """Cut, tie, switch and reverse what an event names, at a time [s]."""
@@ -309,7 +332,7 @@ class EventStage:
         self._begun = begun
 
 
-def _in_halves(part: Part, acceleration: Array) -> tuple[Part, Part]:
+def _in_halves(part: Part, acceleration: Array, forces: Contacts) -> tuple[Part, Part]:
     """Return the halves of a part with the same end and another force in the second half.
 
     `acceleration`, (n, 3), is that at the end [m/s², rad/s²].
@@ -317,5 +340,5 @@ def _in_halves(part: Part, acceleration: Array) -> tuple[Part, Part]:
     half, (place, _) = part.lasts / 2, part.state(part.lasts)
     _, middle = part.state(half)
     begin = place - middle * half - acceleration * (half * half / 2)
-    later = Part(part.t + half, half, begin, middle, acceleration, cause=half)
+    later = Part(part.t + half, half, begin, middle, acceleration, half, forces)
     return part._replace(lasts=half), later

@@ -175,7 +175,7 @@ def features(
     where, turned = place.plane.take(bodies), place.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
     back = turned.conj()
-    owns, normals, others = _owners(touching, out * back, (surfaces - where) * back)
+    owns, normals = _owners(touching, out * back, (surfaces - where) * back)
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     if (ends := touching.ends) is not None:
         is_round = is_round & ~ends
@@ -192,9 +192,7 @@ def features(
     if curved:
         roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
     circles = _circles(sign, curved, rubs)
-    normal = n * place.turned.take(side).conj()
-    if others is not None:
-        normal[others] = np.where(owns[0], normals[0], -normals[1])[others]
+    normal = np.where(owns[1], normals[1], normals[0])
     return Features(
         touching=touching,
         points=((at - where) * back).take(touching.rows, axis=1),
@@ -211,30 +209,28 @@ def features(
     )
 
 
-def _owners(
-    touching: ContactPoints, out: Plane, points: Plane
-) -> tuple[Booleans, Plane, Booleans | None]:
+def _owners(touching: ContactPoints, out: Plane, points: Plane) -> tuple[Booleans, Plane]:
     """Return which body has the side: (2, k), at most one of the two at each point.
 
     `out`, (2, k), is the direction from each body to the other, and `points`, (2, k), are the
     contact points on both [m], along their axes. Where sides face each other, a corner of one lies
     on the side of the other; at each of their two points it may be that of another body. Also the
-    normals that are nearest to `out`, (2, k), and at which points, (k,), it is not the body whose
-    normal the contact has, since sides lean; None if nowhere.
+    normals from the first body to the second, along the axes of both, (2, k): those of the sides
+    where the sides lean, and the contact has the normal of the other one.
     """
-    normals, off = touching.outlines.sides(out)
+    faced, off = touching.outlines.sides(out)
     if touching.ends is not None:
         off = np.where(touching.ends, np.inf, off)
     owns, leans = off < PARALLEL, off < LEANS
     if not np.count_nonzero(leans[0] & leans[1]):
-        return owns, normals, None
+        return owns, OUT * out
     near = touching.outlines.from_corners(points)
     alike, both = np.abs(near[0] - near[1]) <= ALIKE, owns[0] & owns[1]
     yields = np.where(alike, touching.yields, near[0] < near[1])
     wrong = leans[0] & leans[1] & ~(alike | both) & (owns[0] == yields) & (owns[0] | owns[1])
     wrong &= near.min(axis=0) <= ALIKE
     owns = np.where(both, (~yields, yields), owns ^ wrong)
-    return owns, normals, wrong if np.count_nonzero(wrong) else None
+    return owns, OUT * np.where(wrong, faced, out)
 
 
 def _with_curves(
