@@ -24,8 +24,8 @@ class ShapeContact(NamedTuple):
 
     The unit normal points towards the other body, `body` of pymunk. There are one or two contact
     points, the shape's own surface first; `depth` is the largest overlap [m]. `directed` tells
-    whether there is a direction to part in: not if the shapes have the same centre, or are lines
-    that lie in each other.
+    whether pymunk finds a direction to part in: not if shapes other than two circles have the same
+    centre, or are lines that lie in each other.
     """
 
     body: pymunk.Body
@@ -57,15 +57,12 @@ def touched(
         verdict = hollows.judge(shape, hit.shape) if hollows else True
         if hollows and not isinstance(verdict, bool):
             normal, *points = hollows.sides(shape, verdict)
-            depth, directed = verdict.depth, not _concentric(shape, hit.shape)
-            sides = [(points[0], points[1])]
-            yield ShapeContact(hit.shape.body, normal, sides, depth, directed)
+            yield ShapeContact(hit.shape.body, normal, [(points[0], points[1])], verdict.depth)
         elif verdict:
             both = [(complex(*p.point_a), complex(*p.point_b)) for p in found.points]
             normal = complex(*found.normal)
             depth = _depth(found) if normal else _nudged(shape, hit.shape)
-            directed = bool(normal) and not _concentric(shape, hit.shape)
-            yield ShapeContact(hit.shape.body, normal, both, depth, directed)
+            yield ShapeContact(hit.shape.body, normal, both, depth, directed=bool(normal))
 
 
 def _depth(found: pymunk.ContactPointSet) -> float:
@@ -74,12 +71,6 @@ def _depth(found: pymunk.ContactPointSet) -> float:
     pymunk's own distance has the wrong sign if it takes the other shape first.
     """
     return max((p.point_a - p.point_b).dot(found.normal) for p in found.points)
-
-
-def _concentric(one: pymunk.Shape, other: pymunk.Shape) -> bool:
-    """Return whether two shapes are circles with the same centre."""
-    circles = isinstance(one, pymunk.Circle) and isinstance(other, pymunk.Circle)
-    return circles and one.bb.center() == other.bb.center()
 
 
 def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:

@@ -1,7 +1,7 @@
 """The check for bodies that overlap at the start, which is a mistake in the level.
 
 The correction of overlaps would throw them apart, or leave them overlapping. So a level with
-overlaps must allow them explicitly, or is refused. Shapes with the same centre, and lines that lie
+overlaps must allow them explicitly, or is refused. Boxes with the same centre, and lines that lie
 in each other, are refused in any case: pymunk finds no direction in which they could part, and so
 boxes and lines would not even collide.
 """

@@ -43,6 +43,7 @@ class KickBuilder:
         self._still.setflags(write=False)
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
+        self._earlier: Array | None = None  # a drift before it, if they change
         self._layouts = Layouts(joints, surfaces, moves)
         self._false, self._corners = FalseContacts(query), CornerPairs()
         self._overlaps = OverlapCorrection(surfaces, known)
@@ -70,14 +71,15 @@ class KickBuilder:
         lengths, last = self._joints.lengths(until), self._lengths[1]
         self._until = until
         self._lengths = last if len(last) == len(lengths) else lengths, lengths
+        self._earlier = self._joints.lengths_before(until, self._joints.drift)
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
-        self._lengths = self._joints.lengths(t), self._joints.lengths(t)
+        self._lengths, self._earlier = (self._joints.lengths(t), self._joints.lengths(t)), None
 
     def standing(self, lengths: tuple[Array, Array]) -> Kick:
         """Return the system at the present positions; see `DirectSolver.standing`."""
-        self._lengths = lengths
+        self._lengths, self._earlier = lengths, None
         return self.at(self._joints.place())
 
     def relay(self) -> None:
@@ -120,6 +122,7 @@ class KickBuilder:
         self.contacts = self._corners.steady(self.contacts, place, joints.origin)
         layout, running = self._layouts.of(self.contacts), self._surfaces.running
         kick = Kick.at(place, joints, self.contacts, layout, running, self._lengths)
+        kick.earlier = self._earlier
         self._corners.note(kick)
         return kick
 
