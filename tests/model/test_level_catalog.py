@@ -123,6 +123,7 @@ def test_the_levels_are_inside_the_package_or_beside_it(
     monkeypatch.setattr(
         level_catalog, "__file__", str(tmp_path / "sandbox" / "model" / "catalog.py")
     )
+    monkeypatch.setattr(level_catalog, "root", level_catalog.root.__wrapped__)
 
     assert level_catalog.root() == tmp_path / found
     assert level_catalog.names() == []

@@ -62,7 +62,7 @@ def test_a_cheaper_setting_is_one_that_shares_instants_and_holds_at_every_step()
     level = load(find("lagrange/simple-pendulum"))
     chosen = Offer(Stepping(rate=53.7137, scheme="fourth-order"), 1e-5, 1e-3)
 
-    delivered, cheaper = looked_at(level, level.defaults, Setting(2e-3, chosen, "motion", True))
+    delivered, cheaper = looked_at(level, level.defaults, Setting(3e-6, chosen, "motion", True))
 
     assert 1e-9 < delivered < 1e-4
     assert cheaper == ""

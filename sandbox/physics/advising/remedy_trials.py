@@ -287,9 +287,12 @@ def _run(world: World, steps: int) -> None:
 
 
 class _LateError(SandboxError):
-    """The time for a trial is over."""
+    """The time for a trial is over: never shown."""
+
+    def __init__(self) -> None:
+        super().__init__("")
 
 
 def _look(until: float) -> None:
     if process_time() > until:
-        raise _LateError("")
+        raise _LateError

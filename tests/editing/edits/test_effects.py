@@ -69,8 +69,9 @@ def test_what_effects_cost_is_measured_for_those_that_can_be_switched() -> None:
 
 
 def test_what_is_drawn_floats_in_the_liquid_that_a_click_declares() -> None:
-    """A box of 2 m floats 1 m deep in a liquid of twice its density."""
-    text = add_box(EMPTY, parse(EMPTY), (-1, -1), (1, 1)).text
+    """A box of 2 m floats 1 m deep in a liquid of twice its density; the ground is below both."""
+    deep = EMPTY.replace("[-10, 0]", "[-10, -5]").replace("[10, 0]", "[10, -5]")
+    text = add_box(deep, parse(deep), (-1, -1), (1, 1)).text
     for effect in ("gravity", "buoyancy"):
         level = parse(text)
         text = text if effect in level.effects.declared else declare(text, level, effect)

@@ -43,7 +43,7 @@ from sandbox.physics.accuracy.exceptions import AccuracyError, Cancelled
 from sandbox.physics.accuracy.step_refinement import Refinement
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
-from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.measuring.recording import Recorder, Trace
 from sandbox.physics.run import simulate
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, atwood, disc, fixed, floor, level, orbit
@@ -591,10 +591,15 @@ def test_no_run_of_a_search_is_taken_twice(monkeypatch: pytest.MonkeyPatch) -> N
     taken: list[Stepping] = []
 
     def noted(
-        level: Level, values: Values, stepping: Stepping, wanted: Sequence[Watched], stop: Stop
+        level: Level,
+        values: Values,
+        stepping: Stepping,
+        wanted: Sequence[Watched],
+        stop: Stop,
+        look_at: Callable[[Recorder], None] | None = None,
     ) -> Trace:
         taken.append(stepping.model_copy(update={"iterations": 1}))
-        return record(level, values, stepping, wanted, stop)
+        return record(level, values, stepping, wanted, stop, look_at=look_at)
 
     for module in (setting_search, refinement_search):
         monkeypatch.setattr(module, "record", noted)

@@ -171,7 +171,8 @@ def test_flat_surfaces_stand_proud_by_a_skin_and_discs_do_not(clockwise: bool) -
     """As a core that is smaller by an inset of each body's own, with the rest as a radius."""
     corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]][:: -1 if clockwise else 1]
     square = body({"type": "polygon", "vertices": corners})
-    bodies = {"square": square, "box": box(size=(2, 2)), "disc": disc(radius=0.7), "floor": floor()}
+    larger = box((3, 0), size=(2, 2))
+    bodies = {"square": square, "box": larger, "disc": disc((6, 0), radius=0.7), "floor": floor(-1)}
     made = scene(bodies, {"contact": {"overlaps": True}})
     insets = []
     for name in ("square", "box"):
@@ -190,7 +191,7 @@ def test_flat_surfaces_stand_proud_by_a_skin_and_discs_do_not(clockwise: bool) -
 
 
 def test_the_naive_schemes_take_surfaces_as_they_come() -> None:
-    made = scene({"box": box(), "floor": floor()}, {"contact": {}}, "symplectic-euler")
+    made = scene({"box": box(), "floor": floor(-0.25)}, {"contact": {}}, "symplectic-euler")
 
     assert [shape.radius for shape in made.space.shapes] == [0, 0]
     assert made.space.collision_slop == pymunk.Space().collision_slop
