@@ -83,9 +83,7 @@ def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:
     """Return the rows of all joints and contacts at the current positions."""
     lengths = joints.lengths(t), joints.lengths(t + joints.drift)
     if scene.direct:
-        kick = scene.direct.standing(lengths)
-        kick.earlier = joints.lengths_before(t + joints.drift, joints.drift)
-        return kick
+        return scene.direct.standing(lengths)
     count = len(scene.mass)
     none, never = np.zeros((count, count)), np.zeros((count, count), dtype=bool)
     running = np.zeros((count, 2))

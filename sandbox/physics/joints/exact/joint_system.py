@@ -122,14 +122,6 @@ class JointSystem:
         """Return the values to keep at a time [s]: (m,) [m, rad]."""
         return self.equations.lengths(self.length, t)
 
-    def lengths_before(self, until: float, drift: float) -> Array | None:
-        """Return the lengths a drift before the start of one that ends at a time [s]: (m,).
-
-        None if they do not change, or before the start of the run.
-        """
-        t = until - 2 * drift
-        return self.lengths(t) if self.equations.changing and t >= 0 else None
-
     def jacobian(self, place: Array | None = None) -> Array:
         """Return the derivatives of the rows by the bodies' positions and angles: (m, n, 3).
 

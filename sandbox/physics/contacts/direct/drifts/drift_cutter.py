@@ -279,7 +279,6 @@ class DriftCutter(PartSolver):
         rest = self._meetings.resting(shorter, near)
         known = shorter.kick.contacts_at(place).and_(rest)
         kick = self._following(shorter, self._build.anew(place, known.and_(down), lengths))
-        kick.earlier = joints.lengths_before(self._until, left)
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self._take_in(around(kick, down.and_(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)

@@ -43,7 +43,6 @@ class KickBuilder:
         self._still.setflags(write=False)
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
-        self._earlier: Array | None = None  # a drift before it, if they change
         self._layouts = Layouts(joints, surfaces, moves)
         self._false, self._corners = FalseContacts(query), CornerPairs()
         self._overlaps = OverlapCorrection(surfaces, known)
@@ -71,15 +70,14 @@ class KickBuilder:
         lengths, last = self._joints.lengths(until), self._lengths[1]
         self._until = until
         self._lengths = last if len(last) == len(lengths) else lengths, lengths
-        self._earlier = self._joints.lengths_before(until, self._joints.drift)
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
-        self._lengths, self._earlier = (self._joints.lengths(t), self._joints.lengths(t)), None
+        self._lengths = self._joints.lengths(t), self._joints.lengths(t)
 
     def standing(self, lengths: tuple[Array, Array]) -> Kick:
         """Return the system at the present positions; see `DirectSolver.standing`."""
-        self._lengths, self._earlier = lengths, None
+        self._lengths = lengths
         return self.at(self._joints.place())
 
     def relay(self) -> None:
@@ -122,7 +120,6 @@ class KickBuilder:
         self.contacts = self._corners.steady(self.contacts, place, joints.origin)
         layout, running = self._layouts.of(self.contacts), self._surfaces.running
         kick = Kick.at(place, joints, self.contacts, layout, running, self._lengths)
-        kick.earlier = self._earlier
         self._corners.note(kick)
         return kick
 

@@ -55,8 +55,6 @@ class Kick:
         (m,), the lengths that joints keep before and after the drift [m, rad].
     closes
         How many of the contacts, the last ones, are still open, and close within the drift.
-    earlier
-        (m,), the lengths as long before the kick as `after` is after it, if they change [m, rad].
     """
 
     joints: ExactJoints
@@ -70,7 +68,6 @@ class Kick:
     before: Array
     after: Array
     closes: int = 0
-    earlier: Array | None = None
 
     @classmethod
     def at(
@@ -160,7 +157,7 @@ class Kick:
 
     def lasting(self, before: Array, after: Array) -> "Kick":
         """Return the same before a drift between other lengths of the joints: (m,) each."""
-        return replace(self, before=before, after=after, earlier=None)
+        return replace(self, before=before, after=after)
 
     def leaning(self, moved: Array, forces: Array) -> "Kick | None":
         """Return the system with the friction of tilting sides at the point that bears the load.
@@ -247,18 +244,8 @@ class Kick:
         return blur(self.place.values, self.joints.drift)
 
     def joint_rates(self) -> Array:
-        """Return the mean rates of the lengths that joints keep in the drift: (m,) [m/s, rad/s]."""
+        """Return the rates of change of the lengths that joints keep: (m,) [m/s, rad/s]."""
         return np.asarray((self.after - self.before) / self.joints.drift)
-
-    def rates_now(self) -> Array:
-        """Return the rates of these lengths at the time of the kick: (m,) [m/s, rad/s].
-
-        An impact is at that instant: with the mean rates of the drift after it, what a motor of
-        changing rate drives would bounce with an error of first order.
-        """
-        if self.earlier is None:
-            return self.joint_rates()
-        return np.asarray((self.after - self.earlier) / (2 * self.joints.drift))
 
     def wrenches(self, impulse: Array, body: int) -> Array:
         """Return the impulses on a body by each contact: (2, k, 3) [N s, N m s].
