@@ -733,7 +733,9 @@ def test_the_window_does_not_stand_still_while_a_run_looks_for_its_setting(
     saved = runfile.run_of(Session(level)).model_copy(update={"level": stated})
     path = tmp_path / f"mine{runfile.SUFFIX}"
     runfile.save(saved, path)
-    monkeypatch.setattr("sandbox.app.runs.run_start.calibrated", lambda *_: pytest.fail("waits"))
+    monkeypatch.setattr(
+        "sandbox.physics.accuracy.calibration_cache.calibrated", lambda *_: pytest.fail("waits")
+    )
 
     pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))
     person.wait()
