@@ -1,7 +1,7 @@
 """The phases of slipping within a step, and the work of friction in each."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
@@ -66,30 +66,6 @@ class Slips(NamedTuple):
 
     def _sizes(self, sizes: Array) -> Array:
         return np.asarray(np.einsum("kbc,kbc->k", np.abs(self.way), sizes[self.bodies]))
-
-
-class Moves(Protocol):
-    """A part of a drift in which the accelerations of n bodies are constant; see `Phase`."""
-
-    @property
-    def lasts(self) -> float:
-        """Its duration [s]."""
-
-    @property
-    def place(self) -> Array:
-        """(n, 3), the positions at its start [m, rad]."""
-
-    @property
-    def velocity(self) -> Array:
-        """(n, 3), the velocities at its start [m/s, rad/s]."""
-
-    @property
-    def acceleration(self) -> Array:
-        """(n, 3), the accelerations in it [m/s², rad/s²]."""
-
-    @property
-    def forces(self) -> Contacts:
-        """The contacts, with forces in place of impulses."""
 
 
 class Phase(NamedTuple):
@@ -163,7 +139,7 @@ def booked(
 
 
 def rubbed_beyond(
-    phases: Sequence[Moves], halves: Sequence[Moves], inertia: Array, running: Array
+    phases: Sequence[Phase], halves: Sequence[Phase], inertia: Array, running: Array
 ) -> tuple[float, dict[str, float]]:
     """Return the work of friction in phases beyond that in the halves of two kicks [J].
 

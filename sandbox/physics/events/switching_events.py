@@ -15,7 +15,7 @@ import numpy as np
 from sandbox.model.events import Crossing
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
-from sandbox.physics.events.slip_work import rubbed_beyond
+from sandbox.physics.events.slip_work import Phase, rubbed_beyond
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import damps
 from sandbox.physics.state.motion import Instant, momentum
@@ -48,6 +48,11 @@ class Part(NamedTuple):
     """The time after its start at which the forces act that cause them [s]."""
     forces: Contacts = NO_CONTACTS
     """The contacts, with forces in place of impulses."""
+
+    @property
+    def phase(self) -> Phase:
+        """The same, for the work of friction."""
+        return Phase(self.lasts, self.place, self.velocity, self.acceleration, self.forces)
 
     def at(self, time: float) -> Instant:
         """Return the motion at a time after its start [s]."""
@@ -160,8 +165,8 @@ def acted(
         return float(np.sum(sum(forces, np.zeros_like(inertia)) * part.acceleration))
 
     lifted = (raised(first) - raised(last)) * half * half / 2
-    halves = first._replace(lasts=half), before
-    rubbed, rubs = rubbed_beyond(parts, halves, inertia, running)
+    halves = first._replace(lasts=half).phase, before.phase
+    rubbed, rubs = rubbed_beyond([part.phase for part in parts], halves, inertia, running)
     return EventEntries(begun, switched, worked, pushed, given, lifted, rubbed=rubbed, rubs=rubs)
 
 

@@ -120,7 +120,7 @@ class EventStage:
             self._bounces.release()
         if not (self._pending or self._bounces):
             return
-        parts = list(self._follow(self._whole(state, before)))
+        parts = list(self._follow(*self._whole(state, before)))
         if len(parts) > 1:
             self._parts = parts
             self._go_on(parts[-1], state)
@@ -135,8 +135,11 @@ class EventStage:
         drifted = self._scene.direct.drifts.drifted if self._scene.direct else None
         return drifted.begun if drifted else self._begun
 
-    def _whole(self, state: Array, before: Array) -> Part:
-        """Return the coming drift without events and landings, given states (n, 6)."""
+    def _whole(self, state: Array, before: Array) -> tuple[Part, Booleans]:
+        """Return the coming drift without events and landings, given states (n, 6).
+
+        Also the bodies that the kick before it struck or jerked: (n,).
+        """
         landing, smooth = self._landing, self._forces.smooth
         after = landing.left if landing else state[:, 3:]
         acceleration = (after - before) / self._dt
@@ -145,15 +148,17 @@ class EventStage:
         acceleration[self._fixed] = 0.0
         velocity = after - acceleration * (self._dt / 2) if self._leapfrog else after
         lasts = self._dt if self._leapfrog else 0.0
-        forces = self._forces_of(self._dt, struck)
-        return Part(
-            self._kicks.clock.after(0), lasts, state[:, :3], velocity, acceleration, forces=forces
-        )
+        t = self._kicks.clock.after(0)
+        return Part(t, lasts, state[:, :3], velocity, acceleration), struck
+
+    @property
+    def _contacts(self) -> Contacts:
+        """The contacts of the last kick."""
+        return self._scene.direct.contacts if self._scene.direct else self._scene.batch.contacts()
 
     def _forces_of(self, lasts: float, without: Booleans | None = None) -> Contacts:
         """Return the contacts of a kick that lasts so long [s], with forces; some bodies' not."""
-        scene = self._scene
-        found = scene.direct.contacts if scene.direct else scene.batch.contacts()
+        found = self._contacts
         if without is not None and len(found.bodies):
             left = ~without[found.bodies].any(axis=1)
             found = Contacts._make(field[left] for field in found)
@@ -177,13 +182,12 @@ class EventStage:
         self._past, slack = (pulls, before[0]), pulls.slack_before(*before)
         if not pulls.pulls_only.any() or pulls.new(before[0]).any():
             return np.zeros(len(moves), dtype=bool)
-        contacts = scene.direct.contacts if scene.direct else scene.batch.contacts()
-        caught = reached(pulls, contacts, slack, moves)
+        caught = reached(pulls, self._contacts, slack, moves)
         return np.asarray(pulls.jacobian[caught].any(axis=(0, 2)))
 
-    def _follow(self, part: Part) -> Iterator[Part]:
-        """Yield the parts of a drift, from one event or bounce to the next."""
-        for _ in range(MOST):
+    def _follow(self, part: Part, struck: Booleans) -> Iterator[Part]:
+        """Yield the parts of a drift, from one event or bounce to the next; see `_whole`."""
+        for number in range(MOST):
             found = self._first(part) if self._pending else None
             bounce = self._bounces.first(part) if self._bounces else None
             if bounce is not None and (found is None or bounce[1] < found[1]):
@@ -195,6 +199,8 @@ class EventStage:
                 act, jolts = partial(self._throw, name, happening), bool(happening.tie)
             else:
                 break
+            if not number:
+                part = part._replace(forces=self._forces_of(self._dt, struck))
             left = part.lasts - wait
             *before, part = self._until(part, wait) if jolts else (part._replace(lasts=wait),)
             yield from (*before, part)
