@@ -27,7 +27,6 @@ WILD = 0.1
 FAR = 100.0
 """That error, at least, as a multiple of the target."""
 
-
 COARSER = (4, 2)
 """The steps of the runs that it is compared with, in steps of its own."""
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.impacts.contact_kinematics import point_velocity
 
 if TYPE_CHECKING:
     from sandbox.physics.stepping.world import World
@@ -61,22 +62,11 @@ class Unbalanced:
     def _closing(self) -> Array:
         """Return how fast the two bodies of each contact approach: (k,) [m/s]."""
         contacts, place = self._world.contacts, self._world.snapshot.position
-        velocity = self._world.scene.batch.velocity()
-        plane, spin = velocity[:, :2].copy().view(complex)[:, 0], velocity[:, 2]
-        center, normal = place.copy().view(complex)[:, 0], contacts.direction.view(complex)[:, 0]
-        a, b = contacts.bodies.T
-        points = contacts.points.view(complex)[..., 0].T
-        parting = [
-            (
-                (
-                    plane[b]
-                    + 1j * spin[b] * (p - center[b])
-                    - plane[a]
-                    - 1j * spin[a] * (p - center[a])
-                )
-                * normal.conj()
-            ).real
-            for p in points
-        ]
+        velocity, (a, b) = self._world.scene.batch.velocity(), contacts.bodies.T
+        moves = (
+            point_velocity(velocity[b], at - place[b]) - point_velocity(velocity[a], at - place[a])
+            for at in np.moveaxis(contacts.points, 1, 0)
+        )
+        parting = [np.sum(moved * contacts.direction, axis=1) for moved in moves]
         least = np.where(contacts.touches > 1, np.minimum(*parting), parting[0])
         return np.maximum(-least, 0.0)

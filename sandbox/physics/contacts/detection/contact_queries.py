@@ -81,7 +81,7 @@ def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
     """
     body = shape.body
     assert body
-    place, depths = body.position, [0.0]
+    place, depths = body.position, list[float]()
     for way in ((NUDGE, 0), (-NUDGE, 0), (0, NUDGE), (0, -NUDGE)):
         body.position = place + way
         shape.cache_bb()
@@ -90,7 +90,7 @@ def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
             depths.append(_depth(found))
     body.position = place
     shape.cache_bb()
-    return min(depths[1:], default=0.0)
+    return min(depths, default=0.0)
 
 
 class Query:

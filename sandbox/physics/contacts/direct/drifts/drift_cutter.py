@@ -227,9 +227,8 @@ class DriftCutter(PartSolver):
         the parts; `reached`, (n,), took part in what has landed so far.
         """
         begins, many = part.left == self._whole.drift, number + met.times > FORESEEN
-        crowded = crowd(part.kick, met, self._speculative.dull, self.record.struck)
-        if not begins and 2 * (crowded & part.kick.jointed).sum() > crowded.sum():
-            crowded[:] = False  # a linkage: stopped, a ragdoll left 7 % of its energy unexplained
+        dull, struck = self._speculative.dull, self.record.struck
+        crowded = crowd(part.kick, met, dull, struck, begins=begins)
         if many and (begins or not crowded.any()):
             self.crowd = moving(part.kick)
         elif begins and (crowded & ~self._still).any():

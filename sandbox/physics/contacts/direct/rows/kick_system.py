@@ -247,11 +247,6 @@ class Kick:
         """Return the rates of change of the lengths that joints keep: (m,) [m/s, rad/s]."""
         return np.asarray((self.after - self.before) / self.joints.drift)
 
-    @property
-    def jointed(self) -> Booleans:
-        """Which of the bodies, (n,), exact joints act on."""
-        return np.asarray(self.acts[self.layout.joints].any(axis=0))
-
     def wrenches(self, impulse: Array, body: int) -> Array:
         """Return the impulses on a body by each contact: (2, k, 3) [N s, N m s].
 
