@@ -57,7 +57,7 @@ class Remarks(io.TextIOWrapper):
 
 
 def _give_up(stream: io.TextIOWrapper) -> None:
-    """Let what is left for a stream go nowhere, without another error."""
+    """Redirect a stream to the null device, so that what is left raises no more errors."""
     with suppress(OSError, ValueError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, stream.fileno())
@@ -65,7 +65,7 @@ def _give_up(stream: io.TextIOWrapper) -> None:
 
 
 def install() -> None:
-    """Let no error of the standard streams become a traceback, or cost what has been computed."""
+    """Keep errors of the standard streams from causing tracebacks or losing results."""
     out, remarks = sys.stdout, sys.stderr
     if isinstance(out, io.TextIOWrapper):
         buffering, encoding = out.line_buffering, out.encoding
@@ -79,7 +79,7 @@ def install() -> None:
 def standard() -> Iterator[None]:
     """Turn unhandled errors of the system into one sentence.
 
-    An exit that became the cause of another error, as inside a class statement, is an exit still.
+    A `SystemExit` that another error wraps, as inside a class statement, still exits.
     """
     try:
         yield

@@ -1,6 +1,7 @@
 """`python -m validation requests`: random requests for an accuracy, and their outcomes.
 
-A setting is compared with a run at a much smaller step, and with cheaper settings.
+The setting that is found is checked against a run with a much smaller step, and against cheaper
+settings.
 """
 
 from collections.abc import Sequence
@@ -30,7 +31,7 @@ from validation import output
 TARGETS = (1e-3, 1e-6, 1e-9)
 
 FINER = 8
-"""The steps of the reference run, as a multiple of the setting's; half as many if too slow."""
+"""The rate of the reference run, as a multiple of the setting's; half of that if too slow."""
 
 LONGEST = 20.0
 """The longest reference run, by its counted work [s]."""
@@ -45,8 +46,8 @@ ROUNDING = 1e-12
 """The difference below which errors count as equal."""
 
 BELOW = 2.0
-"""The lowest rate that a scheme is offered at, as a multiple of the lowest in the sweep, at most.
-"""
+"""The lowest rate at which the program offers a scheme is at most this multiple of the lowest in
+the sweep."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,8 +20,9 @@ WORTH = 8
 def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
     """Run cases, with progress on a terminal, and return their outcomes in the same order.
 
-    Other processes find them by their names in `all_cases`; a few may be others. By default there
-    are as many processes as cores. Raises `SandboxError` if a level cannot be run.
+    Worker processes look cases up by name in `all_cases`. A short list, run in this process, may
+    contain others. By default there are as many processes as cores. Raises `SandboxError` if a
+    level cannot be run.
     """
     found = dict(
         output.progress(_found(cases, jobs or os.cpu_count() or 1), "Running cases", len(cases))

@@ -8,7 +8,8 @@ SMOOTHING = 0.1
 """The weight of the last frame in the averages."""
 
 LEAST, MOST = 0.005, 0.013
-"""Bounds of the time for steps in a punctual frame [s]; with less time left, the frame is late."""
+"""The least and the most time for steps in a frame that is on time [s]. If less than the least is
+left, the frame is planned to be late."""
 
 SPARE = 0.0007
 """The reserve at the end of a frame [s]."""
@@ -17,7 +18,7 @@ MEMORY = 20
 """The number of frames of each kind that are kept."""
 
 ALMOST = 0.85
-"""The fraction of these frames that must be punctual; others are taken as disturbed."""
+"""The quantile of these frames that is planned for; slower ones count as outliers."""
 
 
 @dataclass(slots=True)
@@ -50,7 +51,7 @@ class Load:
 class FrameBudget:
     """Measures the time of frames besides their steps, separately for each kind of frame.
 
-    While the run plays, one frame in six updates the page, and the next one the part below it.
+    While the run plays, one frame in six updates the page, and the next one the footer.
     """
 
     def __init__(self) -> None:
@@ -71,7 +72,7 @@ class FrameBudget:
 def _late(rest: float) -> float:
     """Return the time for steps in a late frame, given the time of the rest [s].
 
-    It equals that of the rest as long as that allows 30 frames per second; below that rate it is at
-    least a third of the frame. It is never longer than two punctual frames.
+    Steps get as much time as the rest, but no more than keeps 30 frames per second. They always get
+    at least half as much as the rest, and never more than two frames.
     """
     return min(rest, max(2 * FRAME - SPARE - rest, rest / 2), 2 * FRAME)

@@ -47,7 +47,7 @@ def run(
 ) -> None:
     """Open the window, and return when it is closed.
 
-    Without a level, a name or a path, it shows the home page. An accuracy replaces the level's
+    Without a level (a name or a path), it shows the home page. An accuracy replaces the level's
     stepping; `racing` starts the race of schemes.
     """
     with _opened(level, settings, accuracy, racing) as window:

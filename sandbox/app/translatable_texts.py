@@ -1,7 +1,8 @@
 """Collects the texts that registers and models declare, for the catalogue of translations.
 
-Declarations, in the window and below it, contain names and descriptions in English. There is no
-other list of these; code that shows one translates it by `language.say`.
+Declarations, in the window's package and those that it builds on, contain names and descriptions
+in English. These texts are listed nowhere else; code that shows one translates it by
+`language.say`.
 """
 
 import re

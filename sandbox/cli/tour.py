@@ -12,7 +12,7 @@ from rich.text import Text
 
 from sandbox.cli import argument_parsing, check_report
 from sandbox.cli.render import go_headless
-from sandbox.cli.tour_visit import Visit
+from sandbox.cli.tour_visit import Visit, visit
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import folder_of_files, write_atomically
@@ -63,7 +63,8 @@ def tour(folder: Path) -> int:
     """Run every level, write pictures and a page into a folder, and return the exit status."""
     with folder_of_files(folder):
         visits = _visits(folder)
-        unwritten = _write(folder / INDEX, visits)  # first: the reader of the output may be gone
+        # before printing, which fails if the reader of the output is gone
+        unwritten = _write(folder / INDEX, visits)
     Console(highlight=False).print(_table(visits))
     for visited in visits:
         _explain(visited)
@@ -75,10 +76,8 @@ def tour(folder: Path) -> int:
     return int(bad > 0 or unwritten is not None)
 
 
-def _visits(folder: Path) -> "list[Visit]":
+def _visits(folder: Path) -> list[Visit]:
     go_headless()
-    from sandbox.cli.tour_visit import visit
-
     progress = Console(stderr=True)
     with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
         return [
@@ -88,8 +87,6 @@ def _visits(folder: Path) -> "list[Visit]":
 
 def _write(path: Path, visits: Sequence[Visit]) -> SandboxError | None:
     """Write the page, or return the error, so that the results are printed in any case."""
-    from sandbox.cli.tour import page
-
     try:
         write_atomically(path, page(visits))
     except SandboxError as error:
@@ -97,7 +94,7 @@ def _write(path: Path, visits: Sequence[Visit]) -> SandboxError | None:
     return None
 
 
-def _table(visits: "list[Visit]") -> Table:
+def _table(visits: list[Visit]) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0))
     table.add_column("level", no_wrap=True)
     for title in ("checks", "error / bound", "energy", "seconds"):
@@ -116,14 +113,14 @@ def _table(visits: "list[Visit]") -> Table:
     return table
 
 
-def _energy(visited: "Visit") -> Text:
+def _energy(visited: Visit) -> Text:
     """Return the unexplained share of the energy, coloured if it is too large."""
     if visited.closing is None:
         return Text("-")
     return Text(f"{visited.closing.share:.1g}", "" if visited.closing.closes else "yellow")
 
 
-def _explain(visited: "Visit") -> None:
+def _explain(visited: Visit) -> None:
     """Print why a level failed, and whether its energy balance is off."""
     if visited.closing and not visited.closing.closes:
         typer.echo(f"{visited.name}: energy: {visited.closing.text}")

@@ -17,32 +17,36 @@ from sandbox.model.joints import (
 from sandbox.model.level import Level, Stepping
 
 MOST_SPRUNG = 20
-"""The most moving bodies of a level with springs alone whose contacts are solved directly by
-default. A landing block of 16 discs on springs takes 3 ms a step, one of 25 takes 5 ms, more than
-a step at 240 Hz lasts."""
+"""A level whose only joints are springs is solved directly by default if at most this many bodies
+move. A landing block of 16 discs on springs takes 3 ms a step, one of 25 takes 5 ms, more than a
+step at 240 Hz lasts."""
 
 MOST_PILED = 50
-"""The most moving bodies of a level without joints whose contacts are solved directly by default. A
-wall of 46 bricks takes 14 ms a step, a pour of 30 discs 40 ms; one of 60 takes 0.3 s."""
+"""A level without joints is solved directly by default if at most this many bodies move. A wall of
+46 bricks takes 14 ms a step, a pour of 30 discs 40 ms; one of 60 takes 0.3 s."""
 
 UNEQUAL = 3
-"""The ratio of masses from which on sweeps do not settle an impact. Of a heavy disc that drives a
-light one into a wall without rebound, they leave 7e-4 of the energy unexplained at 3 : 1, 4 % at
-10 : 1 and 50 % at 1000 : 1."""
+"""Above this ratio of masses sweeps do not settle an impact. Where a heavy disc drives a light one
+into a wall, with e = 0, they leave 7e-4 of the energy unexplained at 3 : 1, 4 % at 10 : 1 and 50 %
+at 1000 : 1."""
 
 FEW = 3
-"""The number of bodies from which on several impacts may happen at once, which sweeps solve one
-after the other: the halves of a rack of 15 balls that is broken straight on differ by 0.3 m/s at
-e = 0.5 then. A gas of 3, 10 and 30 discs costs 2, 3 and 8 times as much if it is solved directly,
-1.4 ms a step for the last."""
+"""From this many bodies on several impacts may happen at once. Sweeps solve them one after the
+other: when a rack of 15 balls is broken head-on, at e = 0.5, the speeds of its halves differ by
+0.3 m/s. A gas of 3, 10 and 30 discs costs 2, 3 and 8 times as much if it is solved directly, 1.4 ms
+a step for the last."""
 
 
 def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether contacts are solved directly, together with the exact joints.
 
-    If the effect `contact` leaves that open, they are if the level has exact joints, or bodies that
-    may press on each other or meet at once, or bodies that stick and impacts that are located, or
-    if the stepping (the level's own by default) asks for it, and if it is possible.
+    If the effect `contact` leaves that open, they are if it is possible and one of these holds:
+
+    - The level has exact joints.
+    - Bodies stick, and impacts are located.
+    - The stepping, the level's own by default, asks for it.
+    - Bodies may press on each other or meet at once, and the stepping neither names a solver nor
+      starts without half a kick.
     """
     contact = level.effects.contact
     if contact is None:
@@ -59,14 +63,14 @@ def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
 
 
 def _may_press(level: Level, contact: Contact) -> bool:
-    """Whether bodies may press on each other or meet at once, and sweeps may be left.
+    """Whether bodies may press on each other or meet at once, and the level does not need sweeps.
 
-    Few enough of them must move, and pymunk must find the impacts.
+    Sweeps stay if impacts are located or taken in sequence, and if bodies may overlap at the start,
+    since sweeps also separate these. Few enough bodies must move.
 
     On springs one body is enough. Without joints there must be a second one, and a force, a third
     body or, at the default parameters, a much larger mass: two equal bodies meet one at a time, and
-    what rests on immovable bodies alone needs only a few sweeps. They also part bodies that overlap
-    at the start.
+    what rests on immovable bodies alone needs only a few sweeps.
     """
     if contact.located or contact.overlaps or level.effects.in_sequence:
         return False
@@ -84,7 +88,7 @@ def _may_press(level: Level, contact: Contact) -> bool:
 def may_be_direct(level: Level) -> bool:
     """Whether contacts may be solved directly, and the level leaves that open.
 
-    It must not have what needs pymunk's solver: pymunk's own joints, or located ends of slipping.
+    It must not contain what only pymunk solves: pymunk's own joints, or located ends of slipping.
     """
     contact, friction = level.effects.contact, level.effects.friction
     if contact is None or contact.solver is not None:
@@ -96,7 +100,7 @@ def may_be_direct(level: Level) -> bool:
 def may_catch(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether one-sided joints of a level without contacts may catch: ropes, windings, stops.
 
-    Strings that share a body with another exact joint are among them, but not stops that rebound.
+    These include strings that share a body with another exact joint, but not stops that rebound.
     """
     joints, stepping = level.joints.values(), stepping or level.stepping
     if level.effects.contact or stepping.scheme != "leapfrog":
@@ -112,8 +116,8 @@ def may_catch(level: Level, stepping: Stepping | None = None) -> bool:
 def is_alone(name: str, level: Level) -> bool:
     """Whether a joint is a plain string that shares no moving body with another exact joint.
 
-    None is alone if contacts are solved directly, or if one-sided joints may catch, or if an event
-    cuts or ties it, or if it may break.
+    No joint is alone if contacts are solved directly, or if one-sided joints may catch. A string is
+    not alone if an event cuts or ties it, or if it may break.
     """
     joint = level.joints[name]
     if not isinstance(joint, Pulley) or is_direct(level) or may_catch(level):

@@ -20,8 +20,9 @@ FILLED = 0.2
 """The share of the plane that a gas fills."""
 
 DEEP = 10
-"""The layers of a pile of 100 discs and more: the lowest then carry the same load and have the same
-number of contacts in any of them. Ten sweeps at 60 Hz cannot support heaps twice as deep."""
+"""The layers of a pile of 100 or more discs. With a fixed depth, the lowest discs carry the same
+load, and have the same number of contacts, in every pile. Ten sweeps at 60 Hz cannot support heaps
+twice as deep."""
 
 LINK = 0.1  # m
 STIFF = 4.0
@@ -56,7 +57,7 @@ def gas(count: int) -> Document:
 
 
 def pile(count: int) -> Document:
-    """Discs fall into a vessel and come to rest, as far as a heap of discs ever does.
+    """Discs fall into a vessel and come to rest.
 
     They are listed column by column, so that discs in contact are neighbours in memory as well.
     """
@@ -157,10 +158,10 @@ CROWDS: Mapping[str, Crowd] = {
     "chain": Crowd(chain, 300),
     "cluster": Crowd(cluster, 1000, least=2),
 }
-"""The kinds of crowd. pymunk frees a heap in a time that grows faster than the square of its size:
-5,000 discs in 2 s, 10,000 in more than half a minute. The joints of a chain form one dense system,
-whose cost grows with the cube; a cluster has a force for each pair of bodies, and 1,000 bodies just
-run in real time."""
+"""The kinds of crowd. To release the memory of a pile, pymunk takes a time that grows faster than
+the square of its size: 2 s for 5,000 discs, more than half a minute for 10,000. The joints of a
+chain form one dense system, whose cost grows with the cube; a cluster has a force for each pair of
+bodies, and 1,000 bodies just run in real time."""
 
 
 def crowd(kind: str, bodies: int) -> Document:

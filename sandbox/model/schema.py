@@ -49,9 +49,9 @@ class _Generate(GenerateJsonSchema):
 
 
 def grammar() -> dict[str, Any]:
-    """Return the JSON Schema of a level, marking the texts that name a body or a quantity.
+    """Return the JSON Schema of a level, with a mark on texts that name a body or a quantity.
 
-    An object with such a mark has names as keys.
+    On an object, the mark means that its keys are such names.
     """
     return _grammar(Level)
 

@@ -2,7 +2,7 @@
 
 A dynamic body's position is its centre of mass: the points of a polygon, segment, polyline or arc
 are shifted so that their centre of mass is the origin of the body. Static and kinematic bodies keep
-their points as written, relative to their position; only they can be curves.
+their points as written, relative to their position. Only they can have the shape `curve`.
 """
 
 from math import tau

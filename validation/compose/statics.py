@@ -2,8 +2,8 @@
 
 At rest the forces on each body sum to zero. Normal forces are n >= 0, friction obeys Coulomb's law,
 |f| <= mu n, and ropes only pull; rods, pins, rails and welds give any force. If there are more
-unknowns than equations, single forces are not unique, but the measured ones must be among those
-that are possible: a linear programme finds their distance from these.
+unknowns than equations, the forces are not unique. Then a linear programme finds how far the
+measured ones are from any that are possible.
 """
 
 from collections.abc import Iterator
@@ -24,12 +24,12 @@ TOUCHING = 2e-6
 """The distance below which bodies touch [m]: twice the overlap that the engine tolerates."""
 
 UNIQUE = 1e-9
-"""The undetermined share of a force below which it counts as unique: rounding."""
+"""A force counts as unique if less than this share of it is undetermined: that is rounding."""
 
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A contact point; the force on the second body is positive, that on the first is opposite."""
+    """A contact point. A positive normal force acts along `normal` on the second body."""
 
     bodies: tuple[int, int]
     """The indices of the two bodies."""
@@ -112,7 +112,10 @@ class Statics:
                 yield from _on(others, corners, radii, normal, -second.radius)
 
     def _held(self) -> Iterator[tuple[str, Array, bool]]:
-        """Yield each equation of the joints that can pull, with its unit wrenches: (3 n,)."""
+        """Yield each equation of joints that can carry force, with its unit wrenches, (3 n,).
+
+        Those are all but slack ropes.
+        """
         names, slopes = self._keeping.slopes(self._places)
         for name, slope, kept in zip(names, slopes[0], self._keeping(self._places), strict=True):
             if not kept.pulls_only or kept.off[0].real > -TOUCHING:
@@ -145,7 +148,7 @@ class Statics:
         return np.array([*force, x * force[1] - y * force[0]])
 
     def _columns(self) -> Array:
-        """Return the wrenches of a unit of each unknown on the bodies: (3 n, unknowns).
+        """Return the matrix whose columns are the wrenches of unit unknowns: (3 n, unknowns).
 
         The unknowns are the normal forces, friction, and the forces of joints.
         """
@@ -200,7 +203,7 @@ class Statics:
         return float(found.x[-1]) if found.status == 0 else None
 
     def _unknowns(self, measured: Measured) -> tuple[Array, Array, float]:
-        """Return measured forces as rows over the unknowns, and the error of the unique ones."""
+        """Return measured forces as equations for the unknowns, and the unique ones' error."""
         contacts, unknowns = len(self.contacts), self._matrix.shape[1]
         rows, values = [], []
         for row, body in enumerate(self._bodies):
@@ -236,7 +239,7 @@ def _on(
 
 
 def _open(matrix: Array) -> Array:
-    """Return an orthonormal basis of the unknowns that change nothing: (unknowns, m)."""
+    """Return an orthonormal basis of the null space of a matrix: (unknowns, m)."""
     _, sizes, right = np.linalg.svd(matrix)
     rank = int(np.sum(sizes > 1e-10 * sizes.max(initial=0.0)))
     return np.asarray(right[rank:].T)

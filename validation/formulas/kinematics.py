@@ -1,4 +1,4 @@
-"""Kinematics: the chapter, sections 3 and 6."""
+"""Closed forms of kinematics, from sections 3, 6 and 11 of the textbook chapter."""
 
 import numpy as np
 from numpy.typing import ArrayLike

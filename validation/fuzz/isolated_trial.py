@@ -41,7 +41,7 @@ ANSWERS = (RUNS, REFUSED, STOPPED)
 """The good outcomes: the level runs, is refused, or has to stop."""
 
 SLOW, ENDED, UNTOLD = "slow", "ended", "not told"
-"""The bad outcomes: no answer in time, a crash, or an error of another class than ours."""
+"""The bad outcomes: no answer in time, a crash, or an unforeseen exception."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +120,7 @@ class Trial:
     def run(self, text: str) -> Outcome:
         """Return the outcome of a level; a level without an answer is tried twice.
 
-        On a shared machine, a process may get no processor time for that long.
+        On a busy machine, a process may get no processor time for as long as an answer may take.
         """
         first = self._ask(text)
         return self._ask(text) if first == NO_ANSWER else first

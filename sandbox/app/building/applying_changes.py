@@ -1,4 +1,4 @@
-"""Applying changes of the edited level to the session, shortly after the last change."""
+"""Applies the edited level to the session, after a short pause in the editing."""
 
 import re
 from time import perf_counter

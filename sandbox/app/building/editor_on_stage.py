@@ -39,7 +39,7 @@ class EditorOnStage:
         spot = self._spot = self._spot_at((event.pos[0] - area.x, event.pos[1] - area.y))
         if event.type == pygame.MOUSEMOTION:
             tools.hand.move(spot)
-            return False  # another button moves the view
+            return False  # not used up: the same motion may move the view
         if event.button == 1 and event.type == pygame.MOUSEBUTTONUP:
             tools.hand.release(spot)
         elif event.button == 1 and area.collidepoint(event.pos):
@@ -47,7 +47,10 @@ class EditorOnStage:
         return bool(event.button == 1)
 
     def _throw_in(self, event: pygame.event.Event, area: pygame.Rect, stage: Stage) -> bool:
-        """Let a tool change the run, with time stopped until it is done; the first only selects."""
+        """Let a tool change the run, with time stopped until it is done.
+
+        The first tool, `FIRST`, only selects.
+        """
         pixel, hand = (event.pos[0] - area.x, event.pos[1] - area.y), self._tools.hand
         pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == 1
         pressed = pressed and area.collidepoint(event.pos)
@@ -103,7 +106,7 @@ class EditorOnStage:
         self._draw_foreseen(surface, pen, say(tools.hand.hint))
 
     def _foresee(self, surface: pygame.Surface, bench: EditedLevel) -> None:
-        """Look ahead, unless the mouse has left the stage and nothing is begun."""
+        """Preview the faults, unless the mouse is off the stage and nothing is begun."""
         hand, spot = self._tools.hand, self._spot
         if hand.busy or (spot is not None and surface.get_rect().collidepoint(spot.pixel)):
             self._foreseeing.look(bench, hand, spot)

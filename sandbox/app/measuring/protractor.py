@@ -28,7 +28,11 @@ class Protractor:
 
     @classmethod
     def on(cls, before: "Tape | Protractor", second: XY) -> "Protractor":
-        """Return a protractor on a tape, with the corner at its end, or one with a moved leg."""
+        """Return the protractor that a second leg makes.
+
+        On a tape, its corner is the tape's end. On a protractor, it is the same one with the second
+        leg moved.
+        """
         if isinstance(before, Protractor):
             return cls(before.first, before.corner, second)
         return cls(before.start, before.end, second)

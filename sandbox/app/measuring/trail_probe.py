@@ -27,11 +27,13 @@ class ProbedInstant(NamedTuple):
     body: str
     """The body of the trail."""
     t: float
+    """The time [s]."""
     place: XY
+    """The position of the body for the observer [m]."""
     speed: float
-    """The time, and the position and speed of the body for the observer [s, m, m/s]."""
+    """The speed of the body for the observer [m/s]."""
     at: XY
-    """Where that is in the picture now [m]."""
+    """Where this point of the trail is drawn now [m]."""
     distance: float
     """The distance to the mouse [px]."""
     scales: tuple[float, float]

@@ -29,7 +29,7 @@ NAMED = 12
 """The largest number of moving bodies that have names, arrows and trails."""
 
 LONGER = 1.1
-"""The largest ratio of an arrow to the longest length, above which the scale is reduced."""
+"""An arrow longer than this multiple of the longest length makes the scale shrink."""
 
 
 class View:
@@ -67,7 +67,7 @@ class View:
         self.flashes: Sequence[Flash] = ()
         """The flashes of recent impacts."""
         self.kept: dict[str, int] = {}
-        """The last place of each label, as an index."""
+        """The place last chosen for each label, as its index among the candidates."""
         self.labels = Labels(pygame.Rect((0, 0), camera.size), self.kept)
         """The places of labels in the current frame."""
         self._full: dict[str, float] = {}
@@ -102,7 +102,8 @@ class View:
     def fastest(self) -> float:
         """The speed that corresponds to the longest arrow [m/s], for a common scale over a run.
 
-        If the run becomes faster than expected, it is rounded up, so that the scale changes rarely.
+        If the run becomes faster than expected, this speed is raised to a round number, so that the
+        scale changes rarely.
         """
         self.watch()
         return self._fastest

@@ -29,16 +29,16 @@ LONGEST = 0.18
 """The longest arrow at the parameters' defaults, as a fraction of the stage's width."""
 
 LONGER = 3.0
-"""The largest factor by which arrows may become longer within the parameters' ranges."""
+"""How many times as long as at the defaults arrows may become within the parameters' ranges."""
 
 WIDTH = 4.0  # px, thicker than the arrow of a velocity, which may overlap
 HANDLE = 5.0  # px, the radius of the ring at a tip that can be dragged
 REACH = 11.0  # px, the distance within which the mouse grabs a tip
-STEEP = 0.2  # the least horizontal part of an arrow, relative to its length, for text at its side
+STEEP = 0.2  # arrows with a smaller horizontal share are steep: their text goes beyond the tip
 AROUND = (1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)
 """The directions in which a text is placed from a point, to the right and downwards."""
 FURTHER = range(25, 110, 20)  # px, the distances of texts that a thin line leads to
-LEADER = 30  # px, twice the distance from an arrow from which a line leads to its text
+LEADER = 30  # px, twice the distance from its arrow beyond which a text gets a leader line
 INSTANTS = 240
 """The number of times at which a force is evaluated to find its largest value."""
 
@@ -182,7 +182,7 @@ def beside(
     surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels, color: Color,
     name: str, avoid: Sequence[pygame.Rect] = (),
 ) -> ForceLabel | None:  # fmt: skip
-    """Return a text beside the tip of an arrow, or beyond the tip of a steep one.
+    """Return a text beside the tip of an arrow; beyond the tip if the arrow is steep.
 
     If labels, arrows or areas to avoid are in the way, the text is placed around the tip or along
     the arrow, or further off, with a thin line that leads to it; None if there is no room, or the
@@ -226,7 +226,7 @@ def _further_off(image: pygame.Surface, end: XY) -> Iterator[pygame.Rect]:
 
 
 def _acts(force: Force, world: World) -> bool:
-    """Whether a force acts, that is, no event has switched off it or all given forces."""
+    """Whether a force acts, that is, no event has switched it, or all given forces, off."""
     found = (world.scene.switches.get(name) for name in (force.name or "", force.effect.name))
     return all(switch.at(world.snapshot.t) for switch in found if switch)
 

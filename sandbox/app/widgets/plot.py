@@ -16,13 +16,13 @@ from sandbox.model.shapes import XY
 
 LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
 ROUNDING = 1e-12
-"""Smaller differences are drawn as a straight line, in any unit."""
+"""Smaller differences are rounding: such a line is drawn level, in any unit."""
 MANY = 600
 """The approximate number of points of a line that are drawn: there are no more pixels."""
 
 
 SIGNED = 4
-"""The number of markers on a line; the markers of different lines are offset."""
+"""The number of markers on a line; those of different lines are shifted against each other."""
 GAP = 7  # px, between the numbers of two ticks
 DOT = 2.5  # px, the radius of a marked point
 CORNERS = "topleft", "bottomleft", "topright", "bottomright"
@@ -68,7 +68,7 @@ class Scale(NamedTuple):
         return self._replace(low=degrees(self.low), high=degrees(self.high))
 
     def ticks(self, most: int) -> Iterator[float]:
-        """Yield round numbers along the axis, about `most` to 2.5 times as many."""
+        """Yield round numbers along the axis, between about `most` and 2.5 times that many."""
         step = formatting.nice((self.high - self.low) / most)
         for i in range(ceil(self.low / step), floor(self.high / step) + 1):
             yield i * step

@@ -35,12 +35,12 @@ class Field(UITextEntryLine):
 
     @property
     def selected(self) -> bool:
-        """Whether the whole text is selected, and there is one."""
+        """Whether there is text, and all of it is selected."""
         return bool(self.text) and sorted(self.select_range) == [0, len(self.text)]
 
     def _process_entered_character(self, character: str) -> bool:
         letter = typed(character)
-        if letter == " " and self.selected:  # no text begins with one
+        if letter == " " and self.selected:  # no text may begin with a space
             return False
         return bool(letter) and bool(super()._process_entered_character(letter))
 

@@ -95,7 +95,7 @@ def say_in(context: str, message: str) -> str:
 
 
 def plural(one: str, more: str, count: int, **values: object) -> str:
-    """Return a message whose form depends on a count, which it contains as `{count}`."""
+    """Return the form of a message for a count, which is put in for `{count}`."""
     return catalogue(_used).ngettext(one, more, count).format(count=count, **values)
 
 
@@ -121,8 +121,8 @@ class _Unknown(NullTranslations):
 def catalogue(name: Name, domain: Domain = "window") -> NullTranslations:
     """Return the catalogue of a language; that of English returns its input.
 
-    A catalogue of the levels raises a `LookupError` for a missing message, by which edited levels
-    are recognised.
+    A catalogue of the levels raises a `LookupError` for a missing message; that is how edited
+    levels are recognised.
     """
     if name == ENGLISH:
         return NullTranslations()

@@ -1,7 +1,7 @@
 """A body on a spring: s(t) = s0 cos ωt + v0/ω sin ωt about its equilibrium, ω = √(k/m).
 
-Damped, γ = c/2m: s(t) = e^(−γt) (s0 cos ωt + (v0 + γ s0)/ω sin ωt), ω = √(k/m − γ²). If it swings
-aside there is no closed form, but energy is conserved.
+Damped, γ = c/2m: s(t) = e^(−γt) (s0 cos ωt + (v0 + γ s0)/ω sin ωt), ω = √(k/m − γ²). A body
+that also swings sideways (a spring pendulum) has no closed form, but energy is conserved.
 """
 
 from collections.abc import Iterator
@@ -26,13 +26,13 @@ from sandbox.model.joints import End, Spring, body_of
 from sandbox.physics.geometry.outline_distance import dot
 
 NEAR = 1e-4
-"""The tolerance of the check at the rate below: leapfrog is of second order."""
+"""The tolerance of the check; `_rate` chooses the rate for it, as leapfrog is of second order."""
 
 FEW = 40
 """The least number of steps in a period, however short the run."""
 
 STEPS = 200
-"""The number of steps in an oscillation along the spring of a body that swings aside."""
+"""For a spring pendulum, the number of steps in a period of its oscillation along the spring."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
@@ -114,7 +114,8 @@ def _point(end: End) -> tuple[Expression, Expression]:
 def _rate(omega: float, lasts: float, share: float) -> float:
     """Return the rate [Hz] at which the final phase error, ω³ dt² t / 24, is half the tolerance.
 
-    The tolerance is a share of the amplitude: NEAR times the largest coordinate over the amplitude.
+    The tolerance is relative to the amplitude: NEAR times `share`, which is the largest coordinate
+    over the amplitude.
     """
     late = share * NEAR / 2
     return max(sqrt(omega**3 * lasts / 24 / late), omega * FEW / (2 * pi))

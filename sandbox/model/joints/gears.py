@@ -19,7 +19,7 @@ class Gear(Model):
 
     type: Literal["gear"]
     ends: tuple[BodyName, BodyName]
-    """the wheels; its torque is that on the second"""
+    """the wheels; the gear's torque is that on the second"""
     ratio: Ratio
     """the angle of the second wheel over that of the first; negative for opposite directions, as of
     wheels that mesh externally: `-10/40` if 10 teeth drive 40"""
@@ -40,6 +40,6 @@ class Rack(Model):
     """m, the radius of the wheel"""
     direction: Point
     """[x, y], of any length: the direction in which the rack moves, relative to the wheel, as the
-    wheel turns counter-clockwise; it does not turn"""
+    wheel turns counter-clockwise; this direction is fixed in the plane"""
     breaks_at: Load | None = None
     """N, the force between the teeth at which it breaks; never if left out"""

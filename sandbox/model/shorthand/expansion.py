@@ -21,8 +21,9 @@ class WrittenOut(NamedTuple):
     data: Any
     """The JSON content of the expanded level."""
     placed: Moves
+    """Where parts of placed groups come from."""
     typed: Moves
-    """The origins of parts: in groups that were placed, and in members that were repeated."""
+    """Where repeated members come from."""
     faults: list[Fault]
     """The mistakes in the shorthand, with their paths in the text."""
 
@@ -31,7 +32,7 @@ class WrittenOut(NamedTuple):
         return followed(followed(path, self.placed), self.typed)
 
     def hinted(self, fault: Fault, typed: Any) -> Fault:  # noqa: ANN401 (whatever JSON holds)
-        """Return a fault in the data; if an index was used as a parameter, explain the syntax."""
+        """Return a fault in the data; say how to type its unknown parameter if that is an index."""
         unknown = _UNKNOWN.match(fault.rule)
         if not (unknown and self.typed):
             return fault
@@ -53,7 +54,7 @@ def _has(part: Any, step: str | int) -> bool:  # noqa: ANN401 (whatever JSON hol
 
 
 def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSON holds)
-    """Return a level, parsed from a text, with its shorthand expanded; without any, as it is.
+    """Return a level, parsed from a text, with its shorthand expanded; unchanged if it has none.
 
     Raises `RecursionError` if it is nested too deeply.
     """

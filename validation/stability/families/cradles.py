@@ -9,7 +9,10 @@ from validation.stability.run_measures import Run, energy
 from validation.stability.scene_parts import MOMENTUM, Document, check, disc, level
 
 RADIUS = 0.1  # m
-LEAVE = "as many leave as came, with the same speed: momentum and energy leave no other way"
+LEAVE = (
+    "as many leave as came, with the same speed: the outcome of one impact after another between"
+    " equal balls"
+)
 
 
 def cradle(count: int, coming: int = 1, gap: float = 0.0) -> Document:

@@ -37,7 +37,7 @@ class Block(NamedTuple):
 
     text: str
     color: Color | None = None
-    """None for that of less important texts"""
+    """None: the colour of less important texts"""
     acts: tuple[ButtonAction, ...] = ()
     pressed: frozenset[str] = frozenset()
     heading: bool = False
@@ -109,7 +109,7 @@ def subject(editor: Editor) -> list[Block]:
 
 
 def arranging(editor: Editor) -> list[Block]:
-    """Return the blocks with actions on the selected parts, and that arrange bodies."""
+    """Return the blocks with actions on the selected parts, and with those that arrange bodies."""
     if editor.bench is not editor.work:
         return []
     work = editor.work
@@ -130,7 +130,7 @@ def _taking_out(editor: Editor) -> ButtonAction:
 
 
 def _costs(editor: Editor) -> Block:
-    """Return the block with what each effect costs in a step, or would."""
+    """Return the block with the time per step of each effect, or what it would add if used."""
     work, costs = editor.work, editor.costs
     if costs.is_for(work.version):
         found = said(costs.of(work.version))

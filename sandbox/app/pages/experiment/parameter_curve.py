@@ -1,4 +1,4 @@
-"""The chosen curve of each level, and its runs."""
+"""A measure against a varied parameter: the curve chosen for each level, and the runs for it."""
 
 from typing import NamedTuple
 

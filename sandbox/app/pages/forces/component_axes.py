@@ -15,8 +15,8 @@ class Axes(IdleWorker):
     def __init__(self) -> None:
         super().__init__()
         self.inclined = False
-        """Whether the first axis is along the surface that presses hardest on the body, or else
-        along its velocity."""
+        """If true, the first axis is along the surface that presses hardest on the body, or along
+        its velocity if none does. If false, it is x."""
 
     def turn(self) -> None:
         """Switch to the other axes."""

@@ -20,9 +20,11 @@ class Outcome:
     """The outcome of a prediction."""
 
     predicted: float
+    """The predicted value."""
     formula: float | None
+    """The value of the formula; None after a change by hand, which no formula describes."""
     simulated: float
-    """Three values of the quantity; no formula describes a run changed by hand."""
+    """The simulated value."""
     unit: str
     """The unit of the quantity."""
     scale: float | None
@@ -64,7 +66,7 @@ def judged(
 def _scale(result: Result, formula: float | None, trace: Trace) -> float | None:
     """Return the absolute value of the formula, or else of the measured value.
 
-    If that is zero, it is the largest absolute value in the run; None if this is a rounding error.
+    If that is zero, it is the largest absolute value in the run; None if even that is rounding.
     """
     check, measured = result.check, result.measured
     assert measured is not None

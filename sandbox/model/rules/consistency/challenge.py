@@ -57,7 +57,7 @@ def goals_are_bounded(level: Level) -> Iterator[Fault]:
 
 
 def goals_can_be_met(level: Level) -> Iterator[Fault]:
-    """No goal has contradictory bounds with the solution's values."""
+    """At the values of the solution, the bounds of no goal contradict each other."""
     if level.challenge is None:
         return
     values = {**level.defaults, **level.challenge.solution}
