@@ -1,7 +1,7 @@
 """Building and running a level at the setting that it asks for, and timing its steps.
 
-A level may ask for an accuracy instead of a rate. The search for a setting runs worlds itself, so
-this module stands above it.
+A level may ask for an accuracy instead of a rate. The search for a setting steps worlds itself, so
+this module imports it, not the reverse.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -30,9 +30,10 @@ MOST_UNSETTLED = 100
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> World:
     """Make the world of a level, with its default parameters and its own stepping if left out.
 
-    If the stepping only gives an accuracy, the setting is searched for, or taken from the cache. If
-    it leaves open how contacts are solved, and sweeps of pymunk's solver do not settle what rests
-    at the start, such as a tall stack, contacts are solved directly.
+    If the stepping only gives an accuracy, the setting is searched for, or taken from the cache. It
+    may also leave open how contacts are solved. Then they are solved directly if sweeps of pymunk's
+    solver do not settle the bodies that rest at the start, such as a tall stack.
+
     Raises `AccuracyError` if an accuracy is asked for that cannot be had, `SimulationError` if the
     world cannot even start, and `SchemeError` if the scheme is not for such a level.
     """
@@ -46,7 +47,7 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
             return world
         try:
             return make_world(level, values, chosen.model_copy(update={"solver": "direct"}))
-        except SandboxError:  # what has no forces, such as a wedge: sweeps go on
+        except SandboxError:  # the direct solver finds no forces, as for a wedge: keep the sweeps
             return world
 
 
@@ -60,7 +61,7 @@ def simulate(
     books: bool = False,
     until: Callable[[World], bool] | None = None,
 ) -> Trace:
-    """Run a level and record quantities; those that its checks need if left out.
+    """Run a level and record quantities, by default those that its checks need.
 
     The run ends with the first step that is not before its duration [s], or when `until` is true of
     the world after a step. `books` keeps the energy books of the run, which costs about 0.1 ms per
@@ -101,7 +102,7 @@ def _record(
     closer: Closer | None,
     until: Callable[[World], bool] | None,
 ) -> None:
-    """Take steps and note each, until there are as many as wanted or `until` says so."""
+    """Take and note steps, until there are as many as wanted or `until` returns true."""
     patience = TimeLimit()
     if until is None:
         recorder.require(steps + 1)

@@ -1,7 +1,7 @@
 """The cost of a step, counted instead of timed: the same on every machine under any load.
 
-The result of a search depends on the cost of runs. If that were timed, the same request could have
-different results.
+The search for an accuracy depends on the cost of runs. If that were timed, the same request could
+have different results.
 """
 
 import sys
@@ -32,14 +32,14 @@ LOOK = 40e-6
 
 
 def counted_cost(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return the counted cost of a step [s], from the first ones; 0 if none is possible."""
+    """Return the counted cost of a step [s], from the first ones; `CALL` if they fail."""
     rate = max(stepping.rate, level.stepping.rate)  # it may not run at a lower one
     try:
         world = make_world(level, values, stepping.model_copy(update={"rate": rate}))
         before = min(STEPS, count_steps(world) // 2)
         if before:
             world.advance(before)
-        with ThreadPoolExecutor(1) as thread:  # a thread of its own, to keep any other profiler
+        with ThreadPoolExecutor(1) as thread:  # a profiler of this thread stays in place
             calls = thread.submit(_calls, world, STEPS).result() / STEPS
         world.advance()
         touches = len(world.contacts.bodies)

@@ -36,7 +36,7 @@ STEPS = 50_000
 """The most steps of a trial."""
 
 FINER = 4
-"""The rate of a trial where no rate is known, as a multiple of the present one."""
+"""The rate to try if none is suggested, as a multiple of the present one."""
 
 MOST_BODIES = 100
 """The most bodies of a pile whose forces are found directly, to see whether that helps."""
@@ -177,7 +177,7 @@ def leaning(level: Level, values: Values, stepping: Stepping) -> str:
 def creeping(trace: Trace) -> str:
     """Return what sweeps left unbalanced in the piles of a run; empty if that is negligible.
 
-    Whether the forces are found directly is tried, and told with what a step takes then.
+    It also tries the direct solver and, if that finds the forces, says how long a step then takes.
     """
     level, values, stepping = trace.level, trace.values, trace.stepping
     if trace.unbalanced < NOTICED:
@@ -225,7 +225,7 @@ def _finer(
 
 
 def _foreseen(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return the rate that the state at the start needs, if it is known; else 0 [Hz]."""
+    """Return the rate that the start needs [Hz]; 0 if the world cannot be built."""
     try:
         world = build(level, values, stepping)
     except SandboxError:

@@ -151,9 +151,9 @@ class ImpactLocator:
         return Cut(self.begun - drifts, change)
 
     def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
-        """Set the entries for books that are kept in the middle of a drift.
+        """Set the entries of the energy and momentum books for the middle of a drift.
 
-        The accelerations and positions are those at the kicks before and after it.
+        They follow from the accelerations and positions at the kicks before and after it.
         """
         half, struck = self._dt / 2, path.struck[:, None]
         before, after = (np.where(struck, acceleration, 0.0) for acceleration in pulls)
@@ -200,7 +200,7 @@ class ImpactLocator:
         meet = ((low[a] <= high[b]) & (low[b] <= high[a])).all(axis=1)
         if (together := self._joints.together) and len(together.bodies):
             stuck = np.isin(self._row, np.concatenate(together.bodies))
-            meet &= ~(stuck[a] | stuck[b])  # at the step their joints pass impacts on
+            meet &= ~(stuck[a] | stuck[b])  # joints pass impacts on: solved at the step
         near = list(zip(a[meet].tolist(), b[meet].tolist(), strict=True))
         return [pair for pair in near if not self._is_let(pair, start)]
 
@@ -213,7 +213,10 @@ class ImpactLocator:
         return self._gates.lets_at(rows[0], rows[1], at, there)
 
     def _acceleration(self, smooth: Array, total: Array) -> Array:
-        """Return the accelerations of the last kick; for free bodies, without rounding."""
+        """Return the accelerations of the last kick; for free bodies, those of the force laws.
+
+        These have no rounding error.
+        """
         tied = self._held.copy()
         tied[self._batch.contacts().bodies] = True
         return np.where(tied[:, None], total, smooth)

@@ -99,8 +99,8 @@ def fast(
 ) -> Iterator[RateBound]:
     """Yield the rates at which bodies move by their width in a step.
 
-    The speeds are (n,) [m/s], the widths `wide` those of `widths`. Bodies whose impacts are
-    `located` need none.
+    `speeds`, (n,), are those of the bodies [m/s], and `wide`, (n,), their `widths` [m]. Bodies
+    whose impacts are `located` need no rate.
     """
     rates = np.where(scene.mass > 0, speeds / wide, 0.0)
     for name, rate in zip(scene.bodies, rates.tolist(), strict=True):
@@ -122,8 +122,8 @@ def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[Ra
 def slowing(scene: Scene, row: int, then: Motion) -> Iterator[RateBound]:
     """Yield the rates that laws need because they change with the velocity of a body.
 
-    The speed is that of the body, or the one to which the other forces would drive it against the
-    law, if that is higher.
+    The speed is that of the body, or the terminal speed, at which the law balances the other
+    forces, if that is higher.
     """
     for law in scene.laws:
         if law.effect.sees_velocity:

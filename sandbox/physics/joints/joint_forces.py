@@ -23,7 +23,7 @@ class JointForces(NamedTuple):
     pulls_only: Booleans
     """(m,), whether they can only pull, as ropes."""
     changes: Booleans
-    """(m,), whether the values to keep change with time."""
+    """(m,), whether the prescribed values, such as lengths, change with time."""
     joints: NDArray[np.str_]
     """(m,), the names of their joints."""
 

@@ -65,9 +65,10 @@ class Trace:
     units: Mapping[str, str]
     """The quantities' units."""
     meetings: Mapping[Pair, Sequence[Meeting]]
+    """When each pair of bodies began to touch, at most `MOST_MEETINGS` times. Bodies that touch at
+    the start must separate before they can meet."""
     partings: Mapping[Pair, Sequence[int]]
-    """The times at which each pair of bodies began to touch, or separated, at most `MOST_MEETINGS`
-    each. Bodies that touch at the start must separate before they can meet."""
+    """The steps at which each pair of bodies separated, at most `MOST_MEETINGS` of them."""
     leans: bool = False
     """Whether the forces on bodies at rest at the start were not found: a pile may then lean."""
     unbalanced: float = 0.0
@@ -75,11 +76,11 @@ class Trace:
     closing: Closing | None = None
     """How its energy books closed; None if none were kept."""
     unseen: "tuple[RateBound, ...]" = ()
-    """What may have passed through others within a step, with the rates at which it would not."""
+    """Bodies that may have passed through others within a step, with the rates that prevent it."""
 
     @property
     def smooth(self) -> int:
-        """The order of its scheme if nothing in it may jump, as that scheme requires; else 0."""
+        """The order of a composed scheme, which requires that nothing jumps; 0 for others."""
         return self.stepping.order if self.stepping.is_composed else 0
 
     @property
@@ -94,7 +95,7 @@ class Trace:
         return bool(self.t[-1] >= self.level.duration(self.values) * (1 - 1e-12))
 
     def until(self, t: float) -> "Trace":
-        """Return the part of the run up to a time [s], to the first step not before it."""
+        """Return the run up to and including the first step at or after a time [s]."""
         count = self.stepping.steps(t) + 1
         met = {p: [m for m in found if m.step < count] for p, found in self.meetings.items()}
         parted = {p: [i for i in found if i < count] for p, found in self.partings.items()}
@@ -141,7 +142,7 @@ def leans(world: World) -> bool:
 
 
 def _steps_see_impacts(world: World) -> bool:
-    """Return whether impacts are found only at steps, but for bodies whose own are located."""
+    """Return whether impacts, except those of `located` bodies, are only noticed at steps."""
     scene = world.scene
     return bool(world.level.effects.contact and not (scene.direct or scene.sequence))
 
@@ -168,7 +169,7 @@ class Recorder:
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
         self._leans, self._unbalanced = leans(world), Unbalanced(world)
-        self._speeds = np.zeros(len(self._names))  # the highest where steps see impacts [m/s]
+        self._speeds = np.zeros(len(self._names))  # the highest, if `_steps_see_impacts`
         self._meetings: dict[Pair, list[Meeting]] = {}
         self._partings: dict[Pair, list[int]] = {}
         self._touching: set[int] = set()  # pairs that touch now, as numbers

@@ -10,7 +10,7 @@ from sandbox.model.translatable_message import NOTHING, Message
 
 
 def way_out(needed: float, rate: float) -> Message:
-    """Return that the rate needed [Hz] may help, untried, or that no allowed rate is enough."""
+    """Return the hint that a higher rate [Hz] may help (untried), or that no allowed one will."""
     if needed > HIGHEST_RATE:
         return Message("no 'rate' that is allowed is enough")
     higher = ceil(needed)
@@ -74,7 +74,7 @@ class SimulationError(SandboxError):
         return Message("{told}; {advice}", told=told, advice=advice) if advice else told
 
     def when(self, condition: str) -> "SimulationError":
-        """Return the same error, restricted to some values of the parameters."""
+        """Return the same error, with the note that it occurs only for some parameter values."""
         reason = Message("{reason} when {condition}", reason=self.reason, condition=condition)
         return SimulationError(self.subject, self.time, reason, self.rate, self._path, self.hint)
 
@@ -95,7 +95,7 @@ class SimulationError(SandboxError):
 
 
 class BreakdownError(SimulationError):
-    """A run that ended by an unforeseen exception, its cause: a defect of the program."""
+    """A run ended by an unforeseen exception, its cause: that is a defect of the program."""
 
     def __init__(self, error: Exception, time: float) -> None:
         what = " ".join(f"{error}".split()) or Message("no details are known")
@@ -122,7 +122,7 @@ class SchemeError(SandboxError):
 class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the world adds the time)
     """A joint that cannot be kept.
 
-    `finer` is the factor of more steps with which it could, if known.
+    `finer` is the factor on the step rate that should suffice, if known.
     """
 
     def __init__(self, joint: str, reason: Message, finer: float | None = None) -> None:

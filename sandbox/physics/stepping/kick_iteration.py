@@ -22,17 +22,17 @@ PATIENCE = 50
 """The number of kicks without convergence after which the sweeps of the solver are doubled."""
 
 UNSETTLED = 1000
-"""The change of velocities that counts as not converged, as a multiple of rounding."""
+"""Changes of velocities above this multiple of rounding count as not converged."""
 
 LULL = 10
-"""The number of kicks in which a small change that does not halve counts as cyclic rounding."""
+"""If a small change has not halved over this many kicks, it is rounding that cycles."""
 
 DIRECT_LULL = 2
-"""The same where contacts and joints are solved directly, all at once: only rounding is left after
-the first kick, and where bodies land in the drift, each repetition locates all that anew."""
+"""The same for the direct solver: only rounding is left after the first kick, and each repetition
+is costly where bodies land in the drift, as it locates all landings again."""
 
 MAX_SWEEPS = 5000
-"""The most sweeps of such a kick times the pairs in contact, which bounds its time."""
+"""The largest product of the sweeps of a kick and the pairs in contact: it bounds the time."""
 
 
 class Settling:
@@ -51,7 +51,7 @@ class Settling:
     def repeat(self, once: Callable[[], Array], kick: Kick, smooth: Array) -> Array:
         """Repeat a kick, and return the velocities after the last one: (n, 3).
 
-        `once` takes the kick, from the same velocities each time, and returns those after it;
+        `once` applies the kick, to the same velocities each time, and returns those after it;
         `kick` and `smooth` are those of `HeldKicks.kick`.
         """
         close, near = self._tolerances(kick, smooth)

@@ -12,9 +12,9 @@ from sandbox.physics.stepping.world import World
 def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = None) -> World:
     """Make the world of a level at a chosen rate, in the initial state that `begin` sets, if any.
 
-    An accuracy is for `build`, which finds a setting: it raises `ValueError` here. Raises
-    `SimulationError` if the world cannot even start, and `SchemeError` if the scheme does not suit
-    the level.
+    `stepping` must have a rate: if it only asks for an accuracy, this raises `ValueError`, and
+    `build` finds a setting instead. Raises `SimulationError` if the world cannot even start, and
+    `SchemeError` if the scheme does not suit the level.
     """
     if stepping.accuracy is not None:
         raise ValueError("an accuracy is asked for, and no rate is chosen")

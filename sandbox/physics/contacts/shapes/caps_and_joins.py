@@ -31,7 +31,7 @@ MET = 1e-6
 """m, the largest distance between the ends of lines that continue each other."""
 
 TANGENT = 1e-6
-"""One less the cosine of the largest angle between lines that join without a corner."""
+"""1 - cos of the largest angle between lines that join without a corner."""
 
 
 class _End(NamedTuple):
@@ -75,7 +75,7 @@ def make_ends(
 
 
 class _Places:
-    """Ends of lines by their places: thousands are not all compared with each other."""
+    """A hash grid of the ends of lines, so that of thousands not all pairs are compared."""
 
     def __init__(self, ends: Sequence[_End]) -> None:
         self._cells: dict[tuple[int, int], list[tuple[int, _End]]] = {}

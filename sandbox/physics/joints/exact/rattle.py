@@ -7,8 +7,8 @@ from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 
 MOMENT = 1e-3
-"""The fraction of a drift over which the Jacobian is differenced, before and after a step: its
-square is negligible, and rounding does not matter yet."""
+"""The fraction of a drift over which the Jacobian is differenced, before and after a step: small
+enough for the error, which is of second order, and large enough against rounding."""
 
 
 def motion(
@@ -16,9 +16,9 @@ def motion(
 ) -> tuple[Array, Array, Array]:
     """Return velocities, accelerations and forces at the present positions.
 
-    The mean of the velocities before and after a kick violates the joints by an error of second
-    order; without that part J v = 0, as in RATTLE (Andersen 1983). A force of SHAKE is a mean over
-    a kick, also with an error of second order; the force at the instant itself keeps J v = 0:
+    The mean of the velocities before and after a kick violates J v = 0 at second order; that part
+    is removed, as in RATTLE (Andersen 1983). A force of SHAKE is a mean over a kick, which differs
+    at second order from the force at the instant itself. That one keeps J v = 0:
 
         J (a − M⁻¹ Jᵀ λ) + (dJ/dt) v = 0.
 

@@ -54,13 +54,13 @@ class ExactJoints(ConstraintForces):
 
     @property
     def plain(self) -> bool:
-        """Whether all are constant, bilateral sums of lengths that are solved together."""
+        """Whether all equations are constant, two-sided sums of lengths, and solved together."""
         return not (
             self.equations.others or self.equations.changing or self._unilateral or self._alone
         )
 
     def check(self) -> None:
-        """Raise a `JointFailure` if equations are redundant, and that was not checked yet."""
+        """Raise a `JointFailure` if equations are redundant, unless that was already checked."""
         if self._fresh and self._joints:
             here = self.equations.glance(self.place())
             self._check_independent(here, here.jacobian * self.inverse, self.length)
@@ -121,7 +121,7 @@ class ExactJoints(ConstraintForces):
         work = -(self._warm_start + impulse) * (here.jacobian @ (free + moved))
         self.refuse_gain(free, moved, work)
         self.batch.set_velocity(moved[self.order])
-        # the force of a slack rope is exactly 0: from its sign books tell when it is caught
+        # exactly 0 for a slack rope: the books tell by the sign when it is caught
         return np.where(self._taut, (self._warm_start + impulse) / self.kick, 0.0)
 
     def _solve_band(self, band: Banded, until: float) -> Array:
@@ -143,7 +143,7 @@ class ExactJoints(ConstraintForces):
         return (self._warm_start + impulse) / self.kick
 
     def _guess(self) -> Array:
-        """Return the expected rest of the impulses in this kick: (m,) [N s]."""
+        """Return the impulses expected in this kick beyond the warm start: (m,) [N s]."""
         past = self._past[self.parts - 1 :: self.parts]
         return (parabola(past) if past else self._cold) * self.kick - self._warm_start
 

@@ -16,8 +16,8 @@ class ActiveSetResult(NamedTuple):
     """What an active set leads to; m rows.
 
     `on`, (m,), tells which rows are active. Impulses and rates, (m,), are scaled to inverse masses
-    of the rows near one; `close` and `still` are their rounding errors: of any impulse, and of each
-    rate, (m,).
+    of the rows near one. `close` is the rounding error of any impulse, and `still`, (m,), are those
+    of the rates.
     """
 
     on: list[bool]
@@ -38,8 +38,9 @@ class ActiveSetResult(NamedTuple):
     ) -> Active | None:
         """Return a better active set; None if this one is right.
 
-        `active` is this one; `pushing` and `friction` are the rows with a non-negative impulse, and
-        those of friction. `size`, (m,), has the factors by which impulses are scaled.
+        `active` is the set that led to this result; `pushing` and `friction` are the rows with a
+        non-negative impulse, and those of friction. `size`, (m,), has the factors by which impulses
+        are scaled.
         """
         before: list[int] = active.slip.tolist()
         on, slip = self._bearing(pushing), before.copy()
@@ -49,7 +50,7 @@ class ActiveSetResult(NamedTuple):
         return Active(np.array(on), np.array(slip, dtype=np.intp))
 
     def _bearing(self, pushing: Sequence[int]) -> list[bool]:
-        """Return the active rows, where those that pull let go, and those that meet bear."""
+        """Return the active rows: without those that pull, and with those that would overlap."""
         was, impulse, rate, close, still = self
         on = was.copy()
         for row in pushing:
@@ -60,7 +61,7 @@ class ActiveSetResult(NamedTuple):
     def _rub(
         self, on: list[bool], slip: list[int], friction: Friction, size: Sequence[float]
     ) -> None:
-        """Update which friction sticks, and the signs of that which slips."""
+        """Update which rows of friction stick, and the directions of those that slip."""
         was, impulse, rate, close, still = self
         for i, (row, contacts, sticks, _) in enumerate(friction.each):
             if slip[i]:

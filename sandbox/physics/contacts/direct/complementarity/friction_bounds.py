@@ -40,11 +40,11 @@ class FrictionBounds:
         return np.asarray(bounds[0] + bounds[1])
 
     def sticking_by_each(self) -> Array:
-        """Return the bounds while friction sticks as a matrix of the impulses: (f, m)."""
+        """Return the matrix, (f, m), that maps impulses to the bounds while friction sticks."""
         return self._by_each(self._shares[0])
 
     def slipping_by_each(self) -> Array:
-        """Return the sizes while friction slips as a matrix of the impulses: (f, m)."""
+        """Return the matrix, (f, m), that maps impulses to the sizes while friction slips."""
         return self._by_each(self._shares[1])
 
     def _by_each(self, coefficients: Array) -> Array:
@@ -54,9 +54,10 @@ class FrictionBounds:
         return shares
 
     def follow(self, slip: Integers) -> Array:
-        """Return all impulses as a matrix of those of the active rows: (m, m).
+        """Return the matrix, (m, m), that maps the impulses of active rows to all impulses.
 
-        Friction that slips, in the direction of its sign in `slip`, (f,), follows from its contact.
+        Friction that slips, in the direction of its sign in `slip`, (f,), is the coefficient times
+        the impulse of its contact.
         """
         gives, size = np.eye(len(self._size)), self.sizes
         for sign, (row, contacts, _, slips) in zip(slip.tolist(), self._friction.each, strict=True):

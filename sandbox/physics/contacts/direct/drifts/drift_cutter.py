@@ -1,18 +1,18 @@
 """Drifts in which bodies land: each landing is located, and is an impact at its own time.
 
-Between two kicks leapfrog stands for a motion with the accelerations of the last kick: a parabola.
-Where bodies meet on it, the drift is cut. The kick before it is solved again for a drift that ends
-there. Then comes an impact, all at once with the joints and contacts that take part in it, and then
-another drift, in which what has met touches, or is on its way back. Thus nothing is stopped before
-it has come down, or lifted out of what it has come down on. A corner that comes down beside another
-that touches already lands in the same way, if it does so faster than what acts in a step makes it.
+Between two kicks leapfrog represents motion on a parabola, with the accelerations of the last kick.
+Where bodies meet on it, the drift is cut: (1) The kick before it is solved again, for a drift that
+ends there. (2) One impact follows, with all joints and contacts that take part in it. (3) Another
+drift follows, in which the bodies that met touch, or are on their way back. Thus no body is stopped
+above what it lands on, or pushed out of it. A corner that comes down beside another that already
+touches lands in the same way, if it is faster than forces within one step could make it.
 
 A drift is also cut where a contact passes the end of a side: a disc that rolls off a table falls
 from there, and not from where the step ends; see `support_ends`. Nothing is struck there, but other
 contacts act from there on.
 
-It is cut where friction ends a slip as well; see `slip_ends`. From there on it holds, if it can. So
-it is where a rope becomes taut or a stop is reached, which is an impact; see `joint_catches`.
+It is also cut where friction ends a slip (see `slip_ends`), and sticks from there on if it can. A
+rope that becomes taut, or a stop that is reached, is an impact and cuts it too: `joint_catches`.
 
 Bodies that take no part go on as they were. A crowd that lands is stopped: `unlocated_landings`.
 """
@@ -55,8 +55,8 @@ from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 LEAST = 0.06
-"""The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
-that turn far in it would gain energy on its curved path, by the third power of its length."""
+"""If contacts do not keep their gaps, parts above this share of the drift are divided: bodies that
+turn far in a part gain energy on its curved path, by the third power of its length."""
 
 MOST = 16
 """The most landings of one drift that are located. With more of them all bodies are a crowd."""
@@ -68,11 +68,11 @@ STOPS = 2
 """The most ends of slips that are located in a drift."""
 
 AGAIN = 4
-"""The most times that a drift is followed anew, since more bodies take part in it."""
+"""How often, at most, a drift is followed anew because more bodies turn out to take part in it."""
 
 
 class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more)
-    """Somebody takes part in a landing who should have been followed from the first one on."""
+    """A body takes part in a landing, but was not followed from the first one on."""
 
 
 class DriftCutter(PartSolver):
@@ -107,8 +107,8 @@ class DriftCutter(PartSolver):
     def follow(self, whole: DriftPart) -> list[DriftPart]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
-        Whoever takes part in a later landing has to be followed from the first one on, where other
-        bodies press on it. So then the drift is followed once more from its start.
+        A body in a later landing has to be followed from the first one on if other bodies press on
+        it. So then the drift is followed once more from its start.
         """
         joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole
         try:
@@ -124,7 +124,7 @@ class DriftCutter(PartSolver):
     def _begin(self, reached: Booleans) -> None:
         """Begin a drift in whose landings some bodies, (n,), are known to take part."""
         self.reached, self._stopped = reached, self._still
-        self._calm = self._stopped & ~reached  # who was stopped, and moves as then
+        self._calm = self._stopped & ~reached  # stopped, and not disturbed since
         self._stops = self._catches = 0  # the ends of slips, and the catches, that were located
         self._early: Booleans | None = None  # who takes part from the first landing on
         self._near: list[Pair] = []  # who might take part
@@ -154,9 +154,9 @@ class DriftCutter(PartSolver):
         return parts
 
     def _cut(self, part: DriftPart, number: int) -> tuple[DriftPart, ...]:
-        """Return a part, of a number, up to its first landing, and the rest; nothing without one.
+        """Split a part, counted by `number`, at its first landing, catch or the like.
 
-        The part alone, if a crowd was stopped in it.
+        Return the two; () if there is none, and the part alone if a crowd was stopped in it.
         """
         kick, known = part.kick, (self.reached, self._early)
         free = self._loose(part)
@@ -190,11 +190,11 @@ class DriftCutter(PartSolver):
                 return seen, self._pass(seen, left, met, ahead.pairs)
             return seen, self._land(seen, left, met, ahead.pairs)
         except (JointFailure, NoForces):
-            self.reached, self._early = known  # it is found where the drift ends
+            self.reached, self._early = known  # this is left to the end of the drift
             return ()
 
     def _loose(self, part: DriftPart) -> DriftPart:
-        """Return a part in which no slack joint acts, if one catches in it; else the part."""
+        """Return a part, solved without the slack joints that catch in it, if any do."""
         catches = caught(part)
         if self._catches == CATCHES or not np.count_nonzero(catches):
             return part
@@ -223,8 +223,8 @@ class DriftCutter(PartSolver):
     ) -> tuple[DriftPart, ...]:
         """Return a part in which a crowd comes to touch, if one lands in it.
 
-        If that is the whole drift, the kick before it is left to whoever takes it. `number` counts
-        the parts; `reached`, (n,), took part in what has landed so far.
+        If the part is the whole drift, the `crowd` is only noted: the caller stops it by the kick
+        before. `number` counts the parts; `reached`, (n,), took part in what has landed so far.
         """
         begins, many = part.left == self._whole.drift, number + met.times > FORESEEN
         dull, struck = self._speculative.dull, self.record.struck
@@ -270,7 +270,7 @@ class DriftCutter(PartSolver):
     def _land(
         self, shorter: DriftPart, left: float, met: FirstMeeting | None, near: Sequence[Pair]
     ) -> DriftPart:
-        """Return the part after a landing, of length `left` [s]; None where it is merely cut."""
+        """Return the part after a landing, of length `left` [s]; `met` is None after a mere cut."""
         place, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
         if met:
             down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
@@ -313,7 +313,7 @@ class DriftCutter(PartSolver):
 
     def _following(self, ended: DriftPart, kick: Kick) -> Kick:
         """Return the rows where a part ends, with those that are still to close from there on."""
-        self._calm = self._calm & ~self.reached  # these go on in another way
+        self._calm = self._calm & ~self.reached  # the motion of these has changed
         opened = ended.kick.open_at(ended.end)
         return self._build.with_ahead(kick, opened) if len(opened.bodies) else kick
 

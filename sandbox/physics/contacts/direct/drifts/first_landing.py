@@ -26,9 +26,9 @@ def until_first(
 ) -> tuple[DriftPart, FirstMeeting]:
     """Return a part that ends with its first landing, and that landing.
 
-    Forces differ in a shorter part. So what comes first in the whole one may come later than
-    something else there, which may not even land in the whole one: gaps that close in the part slow
-    bodies down less in a shorter one.
+    Forces differ in a shorter part, so another pair of bodies may land first in it, even one that
+    does not land in the whole one: gaps that close in a part slow bodies down less in a shorter
+    one.
     """
     shorter, met = _until(part, met, meetings, shortened)
     for _ in range(SOONER):

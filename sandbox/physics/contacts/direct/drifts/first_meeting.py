@@ -23,22 +23,24 @@ from sandbox.physics.geometry.root_finding import root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 
 SOON = 1e-6
-"""The share of a drift at its start for which no kick is solved, and at its end in which no landing
-is located: that waits for the next drift."""
+"""No kick is solved for a first part shorter than this share of the drift. A landing in the last
+such share of it is not located: it waits for the next drift."""
 
 BEYOND = 0.01
-"""The share of the rest of a drift after which it is seen what carries on a body that passes the
-end of a side: at the end itself, lines that continue each other leave it to each other."""
+"""What supports a body after it passes the end of a side is looked up this share of the rest of the
+drift later. At the end itself, each of two lines that continue each other would leave it to the
+other."""
 
 TOGETHER = 1e-9
-"""The share of a drift within which landings coincide, and the tolerance of their time."""
+"""Landings within this share of a drift coincide; it is also the tolerance of their time."""
 
 
 class PossibleMeetings(NamedTuple):
     """What may meet, or pass the end of its support, in a drift.
 
     `pairs` are those of bodies that do not touch, and may land; `corners` may land on a side of a
-    body which theirs already touches. `passing` are the contacts that may pass the end of a side.
+    body that their own body already touches. `passing` are the contacts that may pass the end of a
+    side.
     """
 
     pairs: Sequence[Pair]
@@ -50,10 +52,10 @@ class FirstMeeting(NamedTuple):
     """The first landing of a drift, or the first contacts that pass the end of a side.
 
     `time` is since the start of the drift [s]. `hits` are the impacts of bodies that did not touch
-    before; `corners` land on a side of a body which theirs already touches; `passing` are the
-    contacts that pass the end of a side, if nothing lands. `coming` are all pairs of bodies that
-    meet in the drift, these and those that follow, and `falling` those of which a corner lands in
-    it. `times` is at how many different times pairs meet.
+    before; `corners` land on a side of a body that their own body already touches; `passing` are
+    the contacts that pass the end of a side, if nothing lands. `coming` are all pairs of bodies
+    with an impact in the drift, also after this one; `falling` are all pairs of which a corner
+    lands in it. `times` is the number of distinct times of the impacts of `coming`.
     """
 
     time: float
@@ -139,8 +141,8 @@ class MeetingFinder:
     ) -> Contacts:
         """Return the contacts with bodies beside the ends of sides that others pass.
 
-        These carry them on. What approaches faster than laws in the rest of the drift explain is
-        left to land.
+        These support them from there on. What approaches faster than force laws could cause in the
+        rest of the drift is left to land.
 
         `ended` is the part of the drift up to there, with the kick there, `begun`, (3 N,), are the
         velocities there [m/s, rad/s], and `met` is what passes. `pairs` are the bodies to consider,
@@ -159,9 +161,9 @@ class MeetingFinder:
     def resting(self, ended: DriftPart, pairs: Sequence[Pair]) -> Contacts:
         """Return the contacts of bodies that already overlap where a part of a drift ends.
 
-        They came together a little before what ends the part, and more slowly than forces in the
-        rest of the drift explain: nothing would stop them. Those that are faster land. `pairs` are
-        the bodies to consider, which did not touch before.
+        They met shortly before the part ends, and more slowly than forces could cause in the rest
+        of the drift: nothing else would stop them. Faster ones are left to land. `pairs` are the
+        bodies to consider, which did not touch before.
         """
         look, place, total = self._speculative, ended.end, self._laws + ended.pulls
         path = Path(*(rates[self._order] for rates in (place.values, ended.moved, total)))
@@ -172,5 +174,5 @@ class MeetingFinder:
 
 
 def moments(times: Sequence[float], apart: float) -> int:
-    """Return how many of some times are further `apart` from the one before [s]."""
+    """Return the number of distinct times, which are more than `apart` from the one before [s]."""
     return bool(times) + sum(b - a > apart for a, b in pairwise(sorted(times)))

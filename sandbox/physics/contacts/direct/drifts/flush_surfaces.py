@@ -1,7 +1,8 @@
-"""Bodies that come from one surface onto another that carries it on, and do not trip over it.
+"""Bodies that come from one surface onto a flush next one, and do not trip over its edge.
 
-Bodies rest a little deeper in the skins of surfaces than where they meet them. So a box that slides
-from one table onto the next, or a wheel that rolls there, seems to run into the edge of that.
+A resting body sits a little deeper in the skin of a surface than where a contact is first detected.
+So a box that slides from one table onto the next, or a wheel that rolls there, seems to hit its
+edge.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -20,7 +21,7 @@ LEVEL = 1e-6
 """m, the highest step between surfaces that carry each other on, as of rounded decimals."""
 
 BESIDE = 1e-3
-"""m, the largest distance of a contact with the one surface from where the other is met."""
+"""m, the largest distance between the contact on the old surface and the point met on the new."""
 
 THERE = 1e-4
 """m, how far a surface is looked along to see whether it rises."""
@@ -46,9 +47,9 @@ class _Ground(NamedTuple):
 
 
 def carries_on(part: DriftPart, path: Path, hit: Hit, shapes: Shapes) -> bool:
-    """Return whether a body only comes onto what carries on the surface on which it lies.
+    """Return whether a hit is only the passage of a body onto a flush continuation of its support.
 
-    `part` and `path` are a part of a drift, and the motion in it; `hit` is what that meets.
+    `part` and `path` are a part of a drift, and the motion in it; `hit` is an impact in it.
     `shapes` returns the outlines of bodies other than curves.
     """
     bodies, gaps = part.kick.layout.touching.bodies, part.kick.layout.gaps

@@ -1,4 +1,4 @@
-"""The motion in a part of a drift, for any length of it, and up to its end."""
+"""Solves a part of a drift for a chosen length, and its motion up to its end."""
 
 from dataclasses import replace
 
@@ -17,12 +17,13 @@ from sandbox.physics.joints.exact.constraint_interface import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 BRIEF = 1e-3
-"""The share of a drift for which the forces of the whole one will do where none are found: rounding
-of gaps, over so short a time, may ask for velocities that exclude each other."""
+"""If no forces are found for less than this share of a part, those of the whole part are used: over
+so short a time, rounding of gaps may require velocities that contradict each other."""
 
 SHORT = 0.1
-"""The share of a drift below which the forces of its last part are solved for a whole one: those of
-a short part follow from small differences of positions, and their rounding is traced far back."""
+"""If the last part is shorter than this share of the drift, the forces that outlast it are solved
+for a whole drift: those of a short part follow from small differences of positions, which rounding
+spoils."""
 
 
 class PartSolver:
@@ -74,7 +75,7 @@ class PartSolver:
     def _lasting(self, last: DriftPart, drift: float) -> DriftPart:
         """Return the last part with forces that last for a whole drift [s].
 
-        They stay its own if other rows would be active then.
+        If other rows would be active then, it keeps its own forces.
         """
         if last.drift >= SHORT * drift:
             return last
@@ -100,9 +101,10 @@ class PartSolver:
     def _arrived(
         self, part: DriftPart, struck: Booleans, catching: Booleans | None = None
     ) -> tuple[Kick, Array, tuple[Stage, ...]]:
-        """Return the velocities at the end of a part, before any impact, and the stage up to there.
+        """Return the end of a part, before any impact.
 
-        See `_struck`; also the rows of bodies that are `reached`.
+        These are the rows of the bodies that are `reached`, the velocities, and the stage up to
+        there; see `_struck`.
         """
         mine, others, drive = others_of(part, self._laws, self.reached)
         some = replace(part.kick, layout=part.kick.layout.around(mine))

@@ -49,8 +49,8 @@ class ApproachingPairs:
 
     `query` knows the bodies, and which of them pass through others; `shapes` are their parts,
     `surfaces` has their contact properties, and `moves`, (n,), tells which are dynamic. `hollows`
-    are the pairs of a hollow body and another; `beside`, (n, n), tells which pairs may meet beside
-    where they touch.
+    are the pairs of a hollow body and another; `beside`, (n, n), tells which pairs that
+    touch may also meet at another place.
     """
 
     def __init__(
@@ -87,7 +87,7 @@ class ApproachingPairs:
         self._room[:], self._seen = 0.0, None
 
     def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
-        """Return the pairs that do not touch, or not where they might within the drift.
+        """Return the pairs that may meet in the drift: out of contact, or in contact elsewhere.
 
         `way`, (3 N,), are the displacements of the bodies in the drift [m, rad].
         """
@@ -116,7 +116,7 @@ class ApproachingPairs:
         return hits
 
     def ahead(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
-        """Return the places at the start where pairs of bodies are nearest that meet on a path.
+        """Return, for pairs of bodies that meet on a path, where they are nearest at its start.
 
         Hollow bodies are left out.
         """
@@ -142,7 +142,8 @@ class ApproachingPairs:
     ) -> tuple[list[HollowCorner], list[Hit]]:
         """Return the contacts of pairs of bodies at the start of a path.
 
-        They are those that will be there `soon`: at the ends of lines rounding would decide [s].
+        They are those that still exist `soon` after it [s]: at the start itself, rounding would
+        decide at the ends of lines.
         """
         corners: list[HollowCorner] = []
         hits: list[Hit] = []
@@ -224,7 +225,10 @@ class ApproachingPairs:
 
 
 def _on_sides(hit: Hit, path: Path, both: tuple[Outline, Outline]) -> Hit:
-    """Return a hit with the normal of a side that is near: sharp corners are a little round."""
+    """Return a hit with the normal of a side, if its own is close to that.
+
+    Near sharp corners, which are a little round, the normal that was found is slightly off.
+    """
     for outline, sign in zip(both, (1, -1), strict=True):
         corners = Motion(path, outline.body, hit.time).put(outline.corners)
         for here, there in pairwise((*corners, corners[0])):

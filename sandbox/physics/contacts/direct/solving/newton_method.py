@@ -22,7 +22,7 @@ from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 SOON = 5
-"""Iterations in which redundant rows may contradict each other, far from the solution."""
+"""The number of first iterations, far from the solution, in which redundant rows may disagree."""
 
 
 def newton(
@@ -83,9 +83,9 @@ def _changes(layout: Layout, far: Booleans, active: Active, held: Active) -> Boo
 
 
 class _Rounds:
-    """Detects that Newton's method cycles: an active set returns without progress.
+    """Detects that Newton's method cycles: an active set returns, and its error has not halved.
 
-    That has never been seen where it converges.
+    This was never seen in a run that converges.
     """
 
     def __init__(self) -> None:
@@ -113,11 +113,11 @@ def solve_rows(
 ) -> tuple[Array, Active]:
     """Solve each island by itself; return the impulses, (r,), and the active rows.
 
-    `jacobian`, (r, 3 N), is that of the rows, and `rate`, (r,), are their rates with `impulse`, if
-    that is given, else without impulses [m/s, rad/s]; `active` is the first guess. `lets` is how
-    far redundant rows may contradict each other [m/s, rad/s]. `off`, (r,), tells which rows are so
-    far from their targets that their island has no such limit; None for no rows. Raises
-    `JointFailure` or `NoForces` if there is no solution.
+    `jacobian`, (r, 3 N), is that of the rows, and `rate`, (r,), are their rates with `impulse`
+    applied, or without impulses if it is None [m/s, rad/s]; `active` is the first guess. `lets` is
+    how far redundant rows may disagree [m/s, rad/s]. There is no such limit in islands with a row
+    that `off`, (r,), marks as far from its target; None marks no row. Raises `JointFailure` or
+    `NoForces` if there is no solution.
     """
     if layout.hangs_together:
         allow = inf if off is not None and np.count_nonzero(off) else lets
