@@ -7,7 +7,7 @@ leaves. So a ball that bounces lower and lower comes to rest; the stop absorbs i
 those lower than g dt²/8.
 
 Stops without a restitution, and ropes, are one-sided joints at all times, which the direct solver
-locates (see `joint_catches`). Beside elastic stops they are located here, as with e = 0.
+locates (see `joint_catches`). In a scene with elastic stops they are located here, as with e = 0.
 """
 
 from collections.abc import Mapping
@@ -34,8 +34,8 @@ TOUCHING = 1e-9
 """m or rad, the distance at which a stop counts as touched."""
 
 WORK = 15_000
-"""The most bounces in a step, times the equations of all joints, since each of them solves these
-anew: about a second of computing."""
+"""The largest product of the bounces in a step and the equations of all joints, which each bounce
+solves anew: about a second of computing."""
 
 OFTEN = Message(
     "stops are met too often in a step to be followed, such as '{name}'; reduce their"
@@ -138,7 +138,7 @@ class Bounces:
         return waits
 
     def _is_beyond(self, side: int, part: Part, t: float) -> bool:
-        """Return whether a side is reached at a time [s]: to look at all of them takes longer."""
+        """Return whether a side is reached at a time [s]; faster than a look at all sides."""
         sides, place = self._sides, part.state(t)[0]
         other = side - len(sides.equations.rows)
         if other < 0:
@@ -149,7 +149,7 @@ class Bounces:
     def rests(self, side: int, part: Part, wait: float) -> bool:
         """Return whether a body that reaches a stop in a part would return to it within a step.
 
-        One without a rebound stays, until it is released.
+        At a stop without a rebound it stays, until it is released.
         """
         if not self._restitution[side]:
             return True

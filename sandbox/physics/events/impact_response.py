@@ -59,9 +59,9 @@ class Collided(NamedTuple):
     begun: Array
     """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
     lifted: float
-    """The increase of the energy read in the middle of the drift that is only due to accelerations
-    smaller than before the impacts [J]: on a parabola it is higher by m a² dt²/8 than in the middle
-    of the chord."""
+    """By how much the energy read in the middle of the drift increases only because accelerations
+    are smaller than before the impacts [J]: on a parabola the energy is higher by m a² dt²/8 than
+    in the middle of the chord."""
     pulled: Array
     """(3,), the momentum and angular momentum from the forces along the path, beyond those from the
     kicks before and after [kg m/s, kg m²/s]."""

@@ -33,7 +33,7 @@ MOST = 100
 """The most cuts of the drift of a step; slips that end later are left to pymunk."""
 
 LATE = 0.1
-"""A slip reversed by more than this share of its change per step was rounding, no slip."""
+"""A slip that is reversed by more than this share of its change per step was only rounding."""
 
 ALIKE = 1e-9
 """Two kicks are alike if they differ by less than this share of the effect of gravity and force

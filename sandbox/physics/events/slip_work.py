@@ -12,10 +12,10 @@ from sandbox.physics.engine.space_arrays import Contacts, Integers
 from sandbox.physics.state.motion import momentum
 
 ROUNDING = 1e-12
-"""A slip slower than this share of the speeds whose difference it is counts as zero;"""
+"""A slip counts as zero if it is slower than this share of the speeds of the two surfaces."""
 
 FAINT = 1e-9
-"""so does one slower than this share of the change of these speeds in a step."""
+"""It also counts as zero if it is slower than this share of the change of these speeds in a step."""
 
 
 class Slips(NamedTuple):

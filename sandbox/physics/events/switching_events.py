@@ -27,7 +27,7 @@ BISECTIONS = 60
 """A step halved this often is shorter than a float's rounding."""
 
 NEAR = 1e-6
-"""The share of a step at its end in which no event happens: it waits for the next drift."""
+"""In this last share of a step no event happens: it waits for the next drift."""
 
 
 NOTHING: Mapping[str, float] = MappingProxyType({})
@@ -45,7 +45,7 @@ class Part(NamedTuple):
     acceleration: Array
     """(n, 3), the accelerations in it [m/s², rad/s²]."""
     cause: float = 0.0
-    """The time after its start at which the forces act that cause them [s]."""
+    """The time after its start at which the forces that cause these act [s]."""
     forces: Contacts = NO_CONTACTS
     """The contacts, with forces in place of impulses."""
 

@@ -25,7 +25,7 @@ def let_go(joints: Joints, name: str, t: float) -> None:
 
 def stick(joints: Joints, _kick: Kick) -> None:
     """Weld the bodies that have just met, at their present positions."""
-    assert joints.touches and joints.solids and joints.weld  # noqa: PT018 (all come together)
+    assert joints.touches and joints.solids and joints.weld  # noqa: PT018 (they exist together or not at all)
     joints.touches.end_step()
     for a, b in joints.touches.latest:
         if joints.solids.join(a, b):

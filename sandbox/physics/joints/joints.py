@@ -36,11 +36,13 @@ class Joints:
     wires: "dict[str, WireEquation]" = field(default_factory=dict)
     """The equations that keep bodies on wires, by name."""
     springs: "dict[str, SpringForce]" = field(default_factory=dict)
+    """The joints that are force laws, by name."""
     strings: "dict[str, PulleyString]" = field(default_factory=dict)
+    """The strings that are solved by themselves, by name."""
     own: "dict[str, OwnJoint]" = field(default_factory=dict)
+    """The joints that pymunk solves, by name."""
     together: "ExactJoints | None" = None
-    """By name, the joints that are force laws, those that are solved by themselves, and those that
-    pymunk solves; all other exact joints, or None."""
+    """All other exact joints; None if there are none."""
     radii: dict[str, float] = field(default_factory=dict)
     """The radii of the circles on which strings are wound, by name [m]."""
     twists: bool = False
@@ -48,12 +50,13 @@ class Joints:
     solids: "Solids | None" = None
     """The bodies that are welded or stuck together; None if there can be none."""
     touches: "Touches | None" = None
+    """Finds the pairs that have met and are to stick; None if none are."""
     weld: Callable[[str, str], None] | None = None
-    """A function that finds the pairs to stick that have met, or None; one that welds two bodies.
-    """
+    """Welds two bodies where they are."""
     elastic: "JointSystem | None" = None
+    """The sides of elastic stops; None if there are none."""
     latches: "Latches | None" = None
-    """The sides of elastic stops, and the joints that events tie; None if there are none."""
+    """The joints that events tie; None if there are none."""
     cut: dict[str, float] = field(default_factory=dict)
     """The times at which joints were cut, by name [s]."""
 

@@ -46,8 +46,8 @@ def give_coefficients(
 ) -> tuple[int, dict[frozenset[int], Sticking]]:
     """Set the coefficients of pairs, and correct contacts that pymunk gets wrong.
 
-    Return the number of callbacks with one contact per pair, and the static friction of the pairs
-    whose static coefficient is larger, by the indices of their bodies.
+    Return how many callbacks a step has if each pair has one contact, and the static friction of
+    the pairs whose static coefficient is larger, by the indices of their bodies.
     """
     kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
     coefficients: dict[tuple[str, str], dict[str, float]] = {}
@@ -70,7 +70,7 @@ def give_coefficients(
 def correct_contacts(
     space: pymunk.Space, level: Level, hollows: Hollows | None, gates: "Gates | None"
 ) -> int:
-    """Correct contacts that pymunk gets wrong; return the callbacks with one contact per pair."""
+    """Correct contacts that pymunk gets wrong; return the callbacks for one contact per pair."""
     kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
     corrected = list(_corrected(hollows, gates))
     for (a, b), of, gate in corrected:

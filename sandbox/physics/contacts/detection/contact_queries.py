@@ -45,7 +45,7 @@ def touched(
     hollows: Hollows | None,
     gates: "Gates | None" = None,
 ) -> Iterator[ShapeContact]:
-    """Yield the contacts of a shape, those with other shapes of its own body as well."""
+    """Yield the contacts of a shape, also with other shapes of its own body."""
     for hit in space.shape_query(shape):
         found = hit.contact_point_set
         if hit.shape is None or hit.shape.body is None or not found.points:

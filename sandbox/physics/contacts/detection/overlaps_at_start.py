@@ -41,7 +41,7 @@ class Overlap(NamedTuple):
 
     @property
     def reason(self) -> Message:
-        """The fault that it is at the start."""
+        """The message that refuses it."""
         one, other = self.bodies
         if not self.directed:
             return Message(

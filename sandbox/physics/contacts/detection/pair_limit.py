@@ -16,10 +16,10 @@ from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.state.errors import SimulationError
 
 MOST_PAIRS = 60_000
-"""The most pairs of a step with no sweeps, which takes a tenth of a second."""
+"""The most pairs in reach if there were no sweeps: their step takes a tenth of a second."""
 
 SWEEPS = 100
-"""The sweeps of the solver over a pair that take as long as finding it."""
+"""So many sweeps of the solver over a pair take as long as finding it."""
 
 MOST_DIRECT = 1000
 """The most pairs for the direct solver, in which they form one dense system."""

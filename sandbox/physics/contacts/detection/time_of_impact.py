@@ -22,8 +22,10 @@ TOUCH = -1e-9
 in contact whatever the rounding."""
 
 CLOSE = 1e-12
-"""m, the tolerance of that gap; far from the origin, the following share of the distance:"""
+"""m, the tolerance of that gap."""
+
 FAR = 1e-15
+"""The same far from the origin, as a share of the distance from it."""
 
 NEAR = 1e-10
 """m, the additional gap at which shapes count as touching when all contacts are collected."""
@@ -32,8 +34,8 @@ TRIES = 200
 """The most advancements of two outlines in a step."""
 
 ROUNDING = 1e-12
-"""An approach slower than this share of the speeds whose difference it is, or of their change in a
-step, counts as zero."""
+"""An approach counts as zero if it is slower than this share of the speeds of the two bodies, or of
+their change in a step."""
 
 
 class Hit(NamedTuple):

@@ -12,9 +12,9 @@ the complementarity of contact (Moreau 1988; Stewart and Trinkle 1996; Anitescu 
 solved by Newton's method over the problem in `complementarity`. A heavy body on a light one is as
 easy as any other, since everything is solved at once.
 
-A contact that approaches faster than the forces of one step explain is an impact. Then the kick is
-taken in three parts: up to the step, with resting contacts and joints; all impacts at once, at the
-level of velocities, with Newton's law of restitution; and the rest of the kick.
+A contact that approaches faster than forces within one step could cause is an impact. The kick is
+then taken in three parts: up to the step, with resting contacts and joints; all impacts at once, at
+the level of velocities, with Newton's law of restitution; and the rest of the kick.
 """
 
 from functools import partial
@@ -78,7 +78,7 @@ class DirectSolver:
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
         self._known, self._pulls = WarmStart(), Pulls()
-        self._crowd: Booleans | None = None  # that was stopped in this kick
+        self._crowd: Booleans | None = None  # the one that was stopped in this kick
         self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
         self._speculative = SpeculativeContacts(query, surfaces, self._moves)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
@@ -182,7 +182,7 @@ class DirectSolver:
         self._change, self._crowd = self._calm.jump, None
 
     def _solve_joints(self, until: float) -> None:
-        """Solve joints without contacts; ropes that fail so are solved as contacts are."""
+        """Solve joints without contacts; if ropes fail in this way, solve them as contacts are."""
         if self.drifts.drifted:  # pymunk knows only the mean velocities
             self._batch.set_velocity(self._begun + self._acceleration * self._joints.kick)
         velocity = self._batch.velocity()
@@ -205,7 +205,7 @@ class DirectSolver:
                 raise
             try:
                 self._divide(kick, start)
-            except (JointFailure, NoForces) as last:  # a joint knows more in a whole step
+            except (JointFailure, NoForces) as last:  # a joint tells more in a whole step
                 raise (whole if isinstance(whole, JointFailure) else last) from None
             return
         smooth = self._is_whole and not taken.impacts
@@ -260,7 +260,7 @@ class DirectSolver:
     def _land(self, until: float, stopped: Booleans | None = None) -> CutDrift | None:
         """Locate the landings in the drift after a kick, which ends at a time [s].
 
-        Crowds are stopped, and what is left is looked at again, without those that are `stopped`.
+        Crowds are stopped; then the other landings are looked for again, without the `stopped`.
         """
         pulls = self._pulls.begins
         if not (self._locates and (self._meets or pulls)):

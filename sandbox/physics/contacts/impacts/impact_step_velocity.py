@@ -1,9 +1,9 @@
 """The velocity of bodies at a step with an impact.
 
 Normally the velocity at a step is the mean of those half a step before and after. At an impact it
-is the velocity right after the impact, from which the body then continues for half a step. So that
-half step is taken back, with the acceleration after the impact: by gravity and the force laws,
-without the component that the ground carries.
+is the velocity right after the impact. It follows from the one half a step later, from which the
+acceleration over that time is taken back: that by gravity and the force laws, without the component
+that the ground carries.
 """
 
 import numpy as np
@@ -13,8 +13,8 @@ from sandbox.physics.contacts.impacts.contact_kinematics import point_velocity
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts, Integers
 
 NEGLIGIBLE = 1e-3
-"""The separation speed above which bodies do not rest, as a share of the change by forces in a
-step."""
+"""Bodies do not rest if they separate faster than this share of the change of velocity by forces in
+a step."""
 
 MAX_HEIGHT = 10
 """The most bodies on top of each other that count as supported by the ground."""

@@ -16,19 +16,20 @@ from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.state.cancellation_points import cancellation_point
 
 ROUNDING = 1e-12
-"""An approach slower than this share of the speeds whose difference it is counts as zero."""
+"""An approach counts as zero if it is slower than this share of the speeds of the two bodies."""
 
 EQUAL = 1e-9
 """The relative difference of approach velocities that count as equal: those of mirror images differ
 by rounding."""
 
 MANY = 100
-"""The impacts per contact of a pile-up after which the remaining approaches stop bouncing. Twice as
-many as 50 equal balls in a row with e = 0.9 need; those with less stay together by then."""
+"""After this many impacts per contact, the remaining approaches of a pile-up may stop bouncing. It
+is twice as many as 50 equal balls in a row with e = 0.9 need; with a smaller e they stay together
+by then."""
 
 GENTLE = 0.01
-"""The share of an approach velocity that so many impacts must leave at most for that, e to their
-number: balls with e = 0.99 have 459."""
+"""They only stop if n impacts per contact leave less than this share of an approach velocity, e to
+the power n: with e = 0.99 that takes 459."""
 
 MOST = 100_000
 """The most impacts of all contacts together, which take 0.4 s; elastic bodies must be done by then.
@@ -38,7 +39,7 @@ SEVERAL = 10
 """The cost of simultaneous impacts with shared bodies, in single impacts."""
 
 CROWD = 500
-"""The number of contacts at which an impact takes twice as long, and the limit is halved."""
+"""With this many contacts an impact takes twice as long, and the limit is halved."""
 
 PRESSED = 1e-6
 """Bodies are wedged in if no repulsive impulses can reduce their approach below this share."""
@@ -53,12 +54,12 @@ WEDGED = Message(
 )
 
 LARGE = 100
-"""The number of contacts above which singular values take more than ten times as long as Cholesky's
-factors, 18 ms of 400 contacts."""
+"""Above this number of contacts, singular values take more than ten times as long as Cholesky's
+factors: 18 ms for 400 contacts."""
 
 INDEPENDENT = 1e-4
-"""The ratio of the smallest to the largest of these factors above which contacts are clearly
-independent."""
+"""Contacts are clearly independent if the ratio of the smallest to the largest of these factors is
+above this."""
 
 TINY = 1e-300
 
@@ -70,7 +71,7 @@ class Pile:
     `parting`, (k,), are the separation rates, `allowed`, (k,), is the approach velocity that counts
     as zero [m/s], and `restitution`, (k,), are the coefficients of restitution. `partner`, (k,), is
     the other contact point of the same two sides; −1 if there is none. `met` has the contacts of
-    each impact, in turn.
+    each impact, in order.
     """
 
     def __init__(
@@ -113,7 +114,7 @@ class Pile:
         return self._rest()
 
     def _ends(self, bodies: Integers, had: float, liveliest: float) -> bool:
-        """Return whether bouncing can end after so many impacts per contact, or never will."""
+        """Return whether to stop bouncing after `had` impacts per contact, as gentle or endless."""
         if had < 2 * MANY and self._wedged():  # once is enough
             if liveliest == 1:
                 raise EndlessImpacts(self._blamed(bodies), WEDGED)

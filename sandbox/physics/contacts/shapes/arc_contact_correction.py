@@ -27,7 +27,7 @@ HIT = 3.0
 arc. A body that comes from a straight line onto the arc has up to twice that."""
 
 SLOWEST = 1e-12
-"""m/s, the least normal velocity of a body on the outside of a curve that does not rest on it."""
+"""m/s: a body on the outside of a curve rests on it if its normal velocity is no larger."""
 
 
 class Hollows:

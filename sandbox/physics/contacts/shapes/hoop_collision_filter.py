@@ -21,7 +21,7 @@ NEAR = 1e-4
 """The share of a hoop's radius by which a body may cross it and still count as on one side."""
 
 MOST = 50_000
-"""The most pairs that hoops separate, with those that several do: a second to exclude."""
+"""The most pairs that hoops separate, counted once per hoop: to exclude them takes a second."""
 
 
 class Enclosures:

@@ -17,18 +17,18 @@ from sandbox.physics.state.errors import JointFailure
 
 MAX_ITERATIONS = 50
 QUADRATIC = 1e-6
-"""Pieces, the Newton step below which the curve equals its own parabola up to rounding."""
+"""Pieces: over a smaller Newton step the curve equals its own parabola up to rounding."""
 
 TURN = np.cos(0.5)
 """The cosine of the largest turn of a wire in a step. A larger turn would give errors of some
 percent, and cannot be distinguished from a bead that has cut a corner."""
 
 FINER = 4.0
-"""The factor of more steps that is advised after a larger turn."""
+"""The factor on the step rate that is advised after a larger turn."""
 
 REACH = 16
-"""The wire's number of pieces over the most that a bead may pass in a step if its foot is searched
-anew. Parts of a wire that come closer but are further along do not count."""
+"""If the foot of a bead has to be searched anew, it is within the wire's number of pieces over this,
+to either side. Parts of the wire that come closer but are further along do not count."""
 
 SLACK = 1.0
 """Pieces, the most by which a bead may be past the end of a wire, for one that starts there and

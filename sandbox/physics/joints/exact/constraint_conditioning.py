@@ -8,7 +8,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.dense_systems import solve
 
 SMOOTH = 0.5
-"""ω dt of the fastest oscillation under tension, at the step rate that is advised."""
+"""At the step rate that is advised, ω dt of the fastest oscillation under tension."""
 
 NUDGE = 1e-6
 """m, rad, the step of the finite differences of the joints' forces."""

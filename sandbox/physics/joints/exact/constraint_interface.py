@@ -90,7 +90,7 @@ def kinetic_energy(inertia: Array, motion: Array) -> Array:
 
 
 def blur(place: Array, drift: float) -> float:
-    """Return how well velocities are known that are chosen by places after a drift [m/s]."""
+    """Return the rounding error of velocities that follow from positions after a drift [m/s]."""
     sizes = np.abs(place)
     return PLACES * sizes.item(sizes.argmax()) / abs(drift)
 

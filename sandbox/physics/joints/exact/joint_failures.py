@@ -23,13 +23,13 @@ from sandbox.physics.joints.exact.separate_joints import are_apart
 from sandbox.physics.state.errors import JointFailure
 
 SINGULAR = 1e-10
-"""The ratio of smallest to largest singular value below which joints are redundant."""
+"""Joints are redundant if the ratio of smallest to largest singular value is below this."""
 
 LOCKED = 0.1
-"""The fraction of its value at the start below which joints work against each other."""
+"""Joints work against each other if this ratio falls below this share of its value at the start."""
 
 REACHED = 1e-9
-"""m, rad, the largest slack of a rope that counts as taut at the start."""
+"""m, rad: a rope with no more slack than this counts as taut at the start."""
 
 MOST_TERMS = 2_000_000
 """The upper bound of equations times bodies: a table of 48 MB."""

@@ -92,7 +92,7 @@ class Problem(NamedTuple):
     alike: Integers | None = None
 
 
-class SystemTooLarge(Exception):  # noqa: N818 (whoever knows the time tells it)
+class SystemTooLarge(Exception):  # noqa: N818 (the caller, who knows the time, tells it)
     """A system that is too large for a step; `body` is the index of a body that takes part."""
 
     def __init__(self, body: int, reason: Message) -> None:

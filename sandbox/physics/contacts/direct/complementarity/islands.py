@@ -11,7 +11,7 @@ def islands(bodies: Sequence[Integers], moves: Booleans) -> list[Integers]:
     """Return the rows of each island, in ascending order; m rows, n bodies.
 
     `bodies` are those that each row is about; −1, or the number n, is the plane. `moves`, (n,),
-    tells which of them anything can move: what nothing moves passes nothing on.
+    tells which of them can be moved: the others pass nothing on.
     """
     owner = list(range(len(moves)))
 

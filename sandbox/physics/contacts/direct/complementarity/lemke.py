@@ -28,12 +28,12 @@ TIE = 1e-12
 """Ratios that differ by less than this share of the largest are tied; the largest pivot wins."""
 
 GONE = 1e-13
-"""The share of its first value below which the artificial variable counts as 0: all conditions then
-hold, even if it is still in the basis."""
+"""The artificial variable counts as 0 below this share of its first value: then all conditions hold
+even if it is still in the basis."""
 
 NEARLY = 1e-9
-"""The same where no row is left that limits the next variable: rounding decides whether the one of
-the artificial variable is. Whoever asked checks the conditions."""
+"""The same if no row limits the next variable: rounding then decides whether the row of the
+artificial variable does. The caller checks the conditions."""
 
 
 def lemke(matrix: Array, offset: Array) -> Array | None:

@@ -43,8 +43,8 @@ GUESSES = 5
 wrong in a pile, later ones rarely come right, and each takes as long as several pivots."""
 
 FEW, HALF = 40, 0.5
-"""The most changes of rows in these updates, and the share of all rows, whichever is more: a guess
-that is further off never came right in a crash, where these are a third of the time."""
+"""These updates may change at most so many rows, or this share of all rows, whichever is more. In a
+crash, where the updates take a third of the time, a guess that was further off never came right."""
 
 MISSED = 1e-7
 """The tolerance of a solution by Lemke's method, as a share of the largest rate. Its many pivots
@@ -52,7 +52,7 @@ accumulate rounding, which the next step of Newton's method removes."""
 
 
 CONTRADICTS = 1e-3
-"""How far redundant rows may contradict each other, as a share of the largest rate: before Newton's
+"""Redundant rows may contradict each other by this share of the largest rate: before Newton's
 method has converged, they do."""
 
 SOFT = (1e-11, 1e-9, 1e-7)
@@ -60,7 +60,7 @@ SOFT = (1e-11, 1e-9, 1e-7)
 any, directions that only rounding leaves open would mislead it."""
 
 
-class Unsolvable(Exception):  # noqa: N818 (whoever knows the bodies tells it)
+class Unsolvable(Exception):  # noqa: N818 (the caller, who knows the bodies, tells it)
     """No impulses satisfy the rows; `row` is the one with the largest error."""
 
     def __init__(self, row: int) -> None:
@@ -182,8 +182,9 @@ class _Scaled:
     def mend(self, active: Active) -> tuple[Array, Active | None]:
         """Return the impulses and the active rows, updated until all conditions hold.
 
-        The rows are None if the updates cycle, or if the guess is far off. Other shares of
-        redundant rows change no rate, so they are looked for only where no row has to hold besides.
+        The rows are None if the updates cycle, or if the guess is far off. To share the impulses of
+        redundant rows in another way changes no rate, so this is tried only if no further row has
+        to become active.
         """
         seen: set[bytes] = set()
         left = max(FEW, HALF * len(self._rate))

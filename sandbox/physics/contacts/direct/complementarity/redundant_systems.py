@@ -22,7 +22,7 @@ SOUND = 1e6
 elimination is as accurate as singular values."""
 
 FEASIBLE = 1e-12
-"""The residual below which limits contradict each other: rounding."""
+"""Limits contradict each other if the residual is below this: that is rounding."""
 
 
 def preload() -> None:

@@ -25,14 +25,14 @@ from sandbox.physics.joints.exact.constraint_interface import (
 )
 
 DEEP = 1e-3
-"""m, the overlap in a drift because of which it is divided. Each part adds a little energy where
-bodies are squeezed out, so smaller ones are left to the correction of overlaps."""
+"""m: a drift is divided if an overlap in it is larger. Each part adds a little energy where bodies
+are squeezed out, so smaller overlaps are left to their correction."""
 
 ROUGH = 0.1
-"""The share of a drift below which a part's forces follow from too small differences."""
+"""In a part below this share of a drift, forces follow from differences that are too small."""
 
 JERKS = 1e-3
-"""The share of the kinetic energy that joints give or take in a jerk, at least."""
+"""In a jerk, joints give or take at least this share of the kinetic energy."""
 
 
 class DriftPart(NamedTuple):
@@ -57,7 +57,7 @@ class DriftPart(NamedTuple):
     before
         The stages at its beginning before that kick.
     lasting
-        (r,), the forces that last beyond it, if its own are too rough for that; else None [N].
+        (r,), the forces that go on after it, if its own are too rough for that; else None [N].
     flat
         See `KickResult`.
     halts
@@ -92,7 +92,7 @@ class DriftPart(NamedTuple):
 
     @property
     def steady(self) -> Array:
-        """(r,), the forces that last beyond it [N]."""
+        """(r,), the forces that go on after it [N]."""
         return self.forces if self.lasting is None else self.lasting
 
     @property
@@ -140,7 +140,7 @@ def linked(kick: Kick, some: Booleans) -> Booleans:
 def others_of(part: DriftPart, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
     """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
 
-    Also the accelerations by these forces and by laws, (3 N,).
+    Also the accelerations by the latter forces and by force laws, (3 N,).
     """
     mine = concerned(part.kick, reached)
     others = np.where(mine, 0.0, part.forces)
@@ -151,9 +151,9 @@ def others_of(part: DriftPart, laws: Array, reached: Booleans) -> tuple[Booleans
 class CutDrift:
     """A drift that was cut where bodies landed; n bodies.
 
-    The rest of the step knows only whole kicks: the one before it as if nothing landed, the one
-    after it with the forces of its last part. The excess of both is taken back at the two ends of
-    the drift. Bodies that take no part in the landings go on as they were.
+    The rest of the step knows only whole kicks: the one before the drift, as if nothing landed, and
+    the one after it, with the forces of the last part. The excess of each is taken back at that end
+    of the drift. Bodies that take no part in the landings go on as they were.
 
     `whole` and `parts` are the drift without landings, and its parts with them. `laws`, (3 N,), are
     the accelerations by gravity and force laws [m/s², rad/s²]. `reached`, (n,), tells which bodies
@@ -205,10 +205,11 @@ class CutDrift:
 
     @cached_property
     def _led(self) -> DriftPart:
-        """The motion up to the first landing.
+        """The part whose forces stand for the kick before the drift.
 
-        That of the whole drift, unless a rope is caught later in it, or a jerk of joints that the
-        landing prevents does work. The forces of a brief part are too rough for that.
+        It is the whole drift, without landings; but the first part if a rope becomes taut only
+        after its landing, or if joints would do work in a jerk that the landing prevents. The
+        forces of a brief part are too rough to tell such a jerk.
         """
         first, whole = self.parts[0], self.whole
         if first.drift < ROUGH * whole.drift:
@@ -236,9 +237,9 @@ class CutDrift:
     def _lifted(self, left: Array, stages: Sequence[Stage]) -> float:
         """Return the excess of the energy in the middle of it, see `DividedDrift` [J].
 
-        The work of constant laws is the change of what they store, by whichever way bodies go. In
-        the books it is that of the kicks, at their mean velocities, and what laws store is read
-        along the straight parts. The two differ where forces set in or end: a falling body has
+        The work of constant laws is the change of their potential energy, on any path. The books
+        take the work from the kicks, at their mean velocities, and read the potential energy along
+        the straight parts. The two differ where forces set in or end: a falling body has
         m a² h² / 8 more energy on its parabola than in the middle of the chord. Bodies that rest,
         but whose forces are not traced back, are read as if they fell.
 

@@ -18,16 +18,16 @@ from sandbox.physics.contacts.direct.prediction.separation_bound import spread
 from sandbox.physics.geometry.outline_distance import Outline, dot, gap
 
 LEVEL = 1e-6
-"""m, the highest step between surfaces that carry each other on, as of rounded decimals."""
+"""m, the highest step between flush surfaces, as by rounded decimals."""
 
 BESIDE = 1e-3
 """m, the largest distance between the contact on the old surface and the point met on the new."""
 
 THERE = 1e-4
-"""m, how far a surface is looked along to see whether it rises."""
+"""m: within this distance along a surface it is checked whether it rises."""
 
 FACES = 0.5
-"""The least cosine between the normals of surfaces of which one is an arc or a curve."""
+"""The least cosine between the normals of flush surfaces, if one is an arc or a curve."""
 
 ON = 1e-8
 """m, the largest distance of a point of contact from the shape on which it is."""

@@ -1,8 +1,8 @@
 """One-sided joints that catch within a drift: ropes that become taut, stops that are reached.
 
-Until then such a joint does not act. There it stops, together with all other joints and contacts,
-whatever would go on beyond it; from there on it may pull. In the kick before the drift alone, where
-directions are others, the joint would take the wrong impulse.
+Until then such a joint does not act. When it catches, one impact with all other joints and contacts
+stops what would go on beyond its bound; from there on it may pull. If it acted only in the kick
+before the drift, where directions are different, its impulse would be wrong.
 """
 
 from dataclasses import replace
@@ -21,12 +21,12 @@ from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 EXACT = 1e-13
-"""The share of a drift within which the time of a catch must agree with that for which the kick is
-solved."""
+"""The time of a catch, and the one for which the kick is solved, must agree within this share of a
+drift."""
 
 CLOSE = 1e-15
-"""m or rad, the distance from a joint's bound at which it catches. The rest of the drift makes up
-for it, perhaps in a short time, so it is rounding."""
+"""m or rad: a joint catches at this distance from its bound. The rest of the drift, which may be
+short, makes up for it, so it is no more than rounding."""
 
 
 class Pulls:
@@ -49,7 +49,7 @@ def caught(part: DriftPart) -> Booleans:
 
 
 def loose(part: DriftPart) -> DriftPart:
-    """Return a part in which one-sided joints do not act that are slack at its start."""
+    """Return a part in which one-sided joints that are slack at its start do not act."""
     kick, layout, active = part.kick, part.kick.layout, part.active
     acts = np.ones(len(part.forces), dtype=bool)
     acts[layout.joints] = ~kick.slack

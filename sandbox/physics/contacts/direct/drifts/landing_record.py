@@ -21,9 +21,9 @@ class LandingRecord:
     """Records the landings of a drift; n bodies.
 
     `pushed`, (n,), are the sums of the sizes of their impulses on each body [N s], and `met` are
-    the contacts that take part in them, without impulses. `struck` are the
-    collisions in them, in order; `given` has the sum of the normal impulses of each pair [N s].
-    `jerked`, (n,), tells which bodies may be jerked by joints that catch in the drift.
+    the contacts that take part in them, without impulses. `struck` are the collisions in them, in
+    order; `given` has the sum of the normal impulses of each pair [N s]. `jerked`, (n,), tells
+    which bodies may be jerked by joints that catch in the drift.
     """
 
     def __init__(self, count: int) -> None:

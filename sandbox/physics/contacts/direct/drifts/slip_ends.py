@@ -15,24 +15,24 @@ from sandbox.physics.geometry.root_finding import SecantMethod
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 LEAST = 1e-8
-"""m, the least way of a slip in a drift whose end is located."""
+"""m: the end of a slip is located only if the slip would be longer in the drift."""
 
 HALF = 0.5
-"""The share of its bound above which friction may have ended a slip in the kick."""
+"""Friction above this share of its bound may have ended a slip in the kick."""
 
 FEW = 6
-"""The most friction of bodies that affect each other: in larger heaps slips end all the time, and
-chance decides where a body comes to rest."""
+"""No ends are located among more rows of friction that affect each other: in larger heaps slips end
+all the time, and chance decides where a body comes to rest."""
 
 SURE = 1e-9
-"""The share of a drift within which the time of an end must agree with that for which the kick is
-solved."""
+"""The time of an end, and the one for which the kick is solved, must agree within this share of a
+drift."""
 
 SOON = 1e-3
-"""The share of a drift at its start in which no end of a slip is located."""
+"""In this first share of a drift, no end of a slip is located."""
 
 TINY = 1e-12
-"""The least share by which a slip slows down in a drift."""
+"""A slip that slows down by less than this share in a drift counts as slowing by so much."""
 
 TRIES = 8
 """The most lengths of a drift that are tried."""
@@ -87,7 +87,7 @@ def until_it_stops(
 
 
 def _ends(part: DriftPart, laws: Array, slips: Integers) -> float:
-    """Return when the first of some slips ends, on the parabolas of a part that may end before."""
+    """Return when the first of some slips ends on the parabolas of a part, or beyond its end."""
     first, last = _rates(part, laws, slips)
     slows = (first - last) / first
     return part.drift / max(float(slows.max()), TINY)

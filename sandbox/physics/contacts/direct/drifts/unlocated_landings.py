@@ -29,12 +29,12 @@ from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 MANY = 3
-"""The most landings of one island in a drift that do not make a crowd."""
+"""More landings of one island than this in a drift make a crowd."""
 
 FORESEEN = 24
-"""The most landings of one drift, located or still ahead, with which not all bodies are a crowd. A
-few of those ahead may come to nothing: no more than 16 are ever located, and a pile that is thrown
-at a floor would have them located in vain."""
+"""If there are more landings in one drift, located or still ahead, all bodies are a crowd. This is
+more than the 16 that are ever located, since a few of those ahead may come to nothing. Without it,
+a pile that is thrown at a floor would have 16 located in vain."""
 
 Some = TypeVar("Some", bound=SolvedKick)
 
@@ -50,8 +50,8 @@ def crowd(
     """Return which bodies are in a crowd, (n,), from what meets in a part of a drift.
 
     `struck` landed in the parts before it. `dull`, (n, n), tells which pairs rebound so little that
-    they may be stopped. `begins` tells whether the part is the whole drift: linkages are stopped in
-    no other.
+    they may be stopped. `begins` tells whether the part is the whole drift: linkages are only
+    stopped in that.
     """
     moves = moving(kick)
     crowded = np.zeros(len(moves), dtype=bool)

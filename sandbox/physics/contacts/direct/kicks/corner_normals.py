@@ -18,7 +18,7 @@ from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 REACH = 1e-7
-"""m, by which corners may slip along each other and keep their normal: some of their roundings."""
+"""m: corners keep their normal until they have slipped by this, some of their roundings."""
 
 
 class CornerPair(NamedTuple):

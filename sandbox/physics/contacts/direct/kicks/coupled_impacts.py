@@ -16,15 +16,15 @@ from sandbox.physics.joints.exact.constraint_interface import angles, order, pla
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 ROUNDING = 1e-9
-"""The share of the speeds of two bodies, and of the velocity change in a step, below which their
-approach is rounding."""
+"""An approach below this share of the speeds of two bodies, and of the velocity change in a step,
+is rounding."""
 
 PRESSED = 1e-12
 """The same as a share of the velocity changes by all impulses on a body in a step, added up without
 their signs."""
 
 EXACT = 1e-12
-"""The share of the work of impacts that counts as rounding."""
+"""This share of the work of impacts counts as rounding."""
 
 HALVINGS = 50
 """The bisections in the search for the largest rebound that adds no energy."""
@@ -33,7 +33,7 @@ HALVINGS = 50
 def struck(
     kick: Kick, came: Array, acts: Array, change: Array, pushed: Callable[[], Array]
 ) -> Booleans:
-    """Return which gaps close faster than forces within a step explain: (k,).
+    """Return which gaps close faster than forces within a step could cause: (k,).
 
     `came`, (3 N,), are the velocities at the step; `acts` and `change`, (3 N,), are the velocity
     changes by forces in a step, and in the last step [m/s, rad/s]. `pushed` returns the impulses of
@@ -90,8 +90,8 @@ def bounce(
     """Return the velocities after the impacts of a step, their impulses, and who collided.
 
     Newton's law of restitution ignores friction, and can add energy with it (Kane and Levinson
-    1985). Nor do wedged bodies always have impulses that separate them. In these cases the largest
-    share of the rebound is taken that adds no energy and has impulses.
+    1985). And wedged bodies do not always have impulses that separate them. In these cases the
+    rebound is reduced to the largest share that has impulses and adds no energy.
 
     `came`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `held` see
     `come`. Raises `JointFailure` or `NoForces` if there are no impulses even without a rebound.
@@ -114,7 +114,7 @@ def _together(kick: Kick, came: Array, strikes: Booleans, held: Active | None) -
 
 
 def _in_sequence(kick: Kick, came: Array) -> tuple[Array, list[Integers]]:
-    """Return the impulses of impacts that come one after the other, (r,), and their gaps in turn.
+    """Return the impulses of impacts that come one after the other, (r,), and the gaps of each.
 
     Bilateral joints pass them on; ropes react to the velocities after them. See `Pile`.
     """
@@ -215,8 +215,8 @@ def impulses(
     """Return the impulses with which velocities satisfy all rows that take part: (r,).
 
     `motion`, (3 N,), are the velocities without them; `leaves`, (r,), is minus the rate of each row
-    with them [m/s, rad/s]. `out`, (r,), tells which rows take no part. `held` is a guess which rows
-    hold; None for those that meet, and no friction.
+    with them [m/s, rad/s]. `out`, (r,), tells which rows take no part. `held` is a guess of which
+    rows hold; if None, those that meet do, and no friction.
     """
     layout, joints = kick.layout, kick.layout.joints
     rate = kick.here.jacobian @ motion + leaves

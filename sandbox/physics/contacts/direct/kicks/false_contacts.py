@@ -14,7 +14,7 @@ from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 
 FURTHER = 1.5
-"""The largest overlap of a new contact, as a multiple of the motion of its bodies in a step."""
+"""A new contact is false if its overlap exceeds this multiple of its bodies' motion in a step."""
 
 
 class FalseContacts:

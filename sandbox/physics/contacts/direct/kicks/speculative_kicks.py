@@ -46,7 +46,7 @@ def closed(
     `solved` is the kick without these corners. `speculative` finds them, `build` builds the system
     with them, and `again` solves the kick with more rows. `laws`, (3 N,), are the accelerations by
     gravity and force laws [m/s², rad/s²]. `locates` tells whether corners that close faster than
-    forces explain are left to be located in the drift.
+    forces could cause are left to be located in the drift.
     """
     for _ in range(LOOKS):
         kick = solved.kick

@@ -41,7 +41,7 @@ from sandbox.physics.geometry.outline_distance import Outline, outlines
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, planes
 
 MOST = 6
-"""The largest relative motion of two bodies, as a multiple of the largest coordinate change."""
+"""Two bodies move by at most this multiple of the largest coordinate change, one to the other."""
 
 
 class ApproachingPairs:

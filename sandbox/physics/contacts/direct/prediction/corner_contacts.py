@@ -72,6 +72,6 @@ def _behind(ended: Both, own: int, side: int, least: float) -> Iterator[tuple[in
 
 
 def _facing(both: Both, own: int, side: int) -> int | None:
-    """Return the side of the other part that faces a side of part `own`; None of a disc."""
+    """Return the side of the other part that faces a side of part `own`; None for a disc."""
     sides, across = both[1 - own].normals, both[own].normals[side].conjugate()
     return min(range(len(sides)), key=lambda at: (sides[at] * across).real, default=None)

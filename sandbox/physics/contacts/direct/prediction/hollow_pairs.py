@@ -36,7 +36,7 @@ TINY = 1e-300
 """m², the least square of the length of a side."""
 
 SLIM = 0.5
-"""The share of a body's size by which it may come between two looks at its contacts."""
+"""Between two looks at its contacts, a body may move by this share of its size."""
 
 LOOKS = 2000
 """The most looks at the contacts of two bodies in a drift: enough for a ball of 2 cm at 1,200 m/s
@@ -50,8 +50,8 @@ Places = tuple[Placed, Placed]
 class HollowCorner(NamedTuple):
     """A point of a body that meets an arc or a curve.
 
-    `own` is the body with the normal, the hollow one of a contact from inside or with a curve: 0 or
-    1. `trace` is their contact.
+    `own` is the body with the normal, 0 or 1: the hollow one, if it is met from inside or is a
+    curve. `trace` is their contact.
     """
 
     pair: Pair
@@ -67,8 +67,8 @@ class _Line(NamedTuple):
     """Points along the middle of a hollow body.
 
     The points are along the axes of the body. `near` is the largest distance of its surface from
-    the nearest of them, and `reach` that from the centre of the body; of whole circles, which look
-    alike when they turn, `reach` is that of their centre [m].
+    the nearest of them, and `reach` is the largest distance of its surface from the centre of the
+    body; for a whole circle, which looks the same as it turns, it is that of its centre [m].
     """
 
     points: Plane
@@ -77,7 +77,7 @@ class _Line(NamedTuple):
 
     @classmethod
     def of(cls, piece: Piece) -> "_Line | None":
-        """Return those of an arc or a curve; None of other pieces."""
+        """Return those of an arc or a curve; None for other pieces."""
         if side := piece.curve:
             knots, near = side.course.knots, side.half + side.course.spacing / 2
             return cls(knots, near, float(np.abs(knots).max()) + near)
@@ -96,7 +96,7 @@ class _Shape(NamedTuple):
     """A shape.
 
     `piece` is its exact geometry, and `outline` is its outline if it can be met as a convex one;
-    None of curves and feelers. `middle` and `size` are the centre and radius of a disc around it,
+    None for curves and feelers. `middle` and `size` are the centre and radius of a disc around it,
     along the axes of its body [m].
     """
 

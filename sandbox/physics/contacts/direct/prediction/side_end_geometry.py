@@ -53,7 +53,7 @@ class PointsOnSides(NamedTuple):
     """The points of a kick, of which some are on sides; k of them.
 
     `side` and `other`, (k,), are the bodies with the sides, and the others; `number`, (k,), tells
-    which of its sides it is, −1 of none. `point`, (k,), is the point of the other body, along its
+    which of its sides it is, −1 if none. `point`, (k,), is the point of the other body, along its
     axes, and `seen`, (k,), the position of that along the side; `begin` and `end`, (k,), are the
     positions there between which they touch [m]. `flat`, (k,), tells whether a side of the other
     body lies on it.
@@ -101,7 +101,7 @@ class Line(NamedTuple):
 
     `ends` are its two ends in the middle of its thickness, along the axes of its body [m], and the
     directions in which it would continue. `half` is half its thickness [m], and `center` the centre
-    of an arc; None of a curve [m].
+    of an arc; None for a curve [m].
     """
 
     ends: Sequence[tuple[complex, complex]]
@@ -110,7 +110,7 @@ class Line(NamedTuple):
 
     @classmethod
     def of(cls, piece: Piece) -> "Line | None":
-        """Return an arc or a curve; None of other pieces, and of closed ones."""
+        """Return an arc or a curve; None for other pieces, and for closed ones."""
         if piece.curve:
             feet = piece.curve.course.ends
             ends = [(f.point, -f.tangent if f.at == 0 else f.tangent) for f in feet]

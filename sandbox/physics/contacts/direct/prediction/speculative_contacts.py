@@ -45,18 +45,18 @@ from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, order, planes
 
 LOOKS = 30
-"""The most times that a drift is followed to its end: in a rocking stack each time finds one more
+"""How often, at most, a drift is followed to its end: in a rocking stack each time finds one more
 box."""
 
 WIDE = 1e-3
-"""The distance of the two points of a side, as a share of the smaller body, from which on both ends
-of it touch."""
+"""Both ends of a side touch if its two points are further apart than this share of the smaller
+body."""
 
 LITTLE = 0.1
-"""The share of its energy that a rebound keeps at most if it may be left out."""
+"""A rebound may be left out if it keeps less than this share of the energy."""
 
 ALIKE = 0.99
-"""The least cosine between the directions of contacts at one point that count as the same."""
+"""Contacts at one point count as the same from this cosine between their directions on."""
 
 LOST = 1e-4
 """m, the greatest depth of a corner that pymunk may lose: in the corner of a bin, just behind the
@@ -103,8 +103,8 @@ class SpeculativeContacts:
         self._any = bool(self._looks.any())
         several = ~(shapes.single[:, None] & shapes.single)
         self._slides = several | self._hollows.pairs  # where corners may meet without any rotation
-        self._asked: tuple[Kick, float, Array] | None = None  # who asked last, and about what
-        self._found: list[AnyCorner] = []  # what came of it
+        self._asked: tuple[Kick, float, Array] | None = None  # the last question
+        self._found: list[AnyCorner] = []  # its answer
         beside = several & ~self._looks
         self.approaching = ApproachingPairs(query, shapes, surfaces, moves, self._hollows, beside)
         self.ends = SupportEnds(shapes, surfaces, query.hollows, self._hollows.reach(shapes.reach))
@@ -112,8 +112,8 @@ class SpeculativeContacts:
     def corners(self, kick: Kick, motion: Array) -> list[AnyCorner]:
         """Return the corners that come down within the drift after a kick and are new to it.
 
-        Whoever closes a drift and whoever looks for landings in it ask for the same ones. `motion`,
-        (3 N,), are the velocities after the kick [m/s, rad/s].
+        The last answer is kept, as the same corners are needed to close a drift and to look for
+        landings in it. `motion`, (3 N,), are the velocities after the kick [m/s, rad/s].
         """
         if not self._any:
             return []

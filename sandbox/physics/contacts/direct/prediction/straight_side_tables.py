@@ -13,11 +13,11 @@ from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.state.anchor import Plane
 
 NEAR = 1e-6
-"""m, the largest distance of a contact point from its side, and of sides that continue each other.
+"""m, the largest distance of a contact point from its side, and between sides in one line.
 Overlaps and the roundings of sharp corners are smaller."""
 
 DIGITS = 5
-"""To how many digits normals agree before they are compared: lines have thousands of sides."""
+"""Normals are only compared if they agree to this many digits: lines have thousands of sides."""
 
 
 class Side(NamedTuple):

@@ -204,9 +204,9 @@ class SupportEnds:
         return not self._sides.any[body] or any(self._sides.at(body, complex(point)))
 
     def _without_side(self, kick: Kick) -> Iterator[tuple[EndCrossing, complex]]:
-        """Yield the contacts without a straight side, for each of the two bodies.
+        """Yield the contacts without a straight side, twice: as if each of the bodies had it.
 
-        These are still without an end that they pass; and the body's point, along its axes [m].
+        The end that they pass is still to be set. Also the point of that body, along its axes [m].
         """
         touching, points = kick.layout.touching, kick.features.points
         on = kick.features.owns[:, : len(touching.pair)].any(axis=0)

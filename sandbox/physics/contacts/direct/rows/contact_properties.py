@@ -59,8 +59,8 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
 def _in_sequence(level: Level) -> bool:
     """Return whether impacts at the same time come one after the other.
 
-    Those that a level locates do, too, so that a row passes a shot on, unless friction needs them
-    all at once.
+    So do those that a level asks to locate, so that a row of balls passes a shot on, unless there
+    is friction, which needs them all at once.
     """
     effects = level.effects
     located = effects.contact is not None and effects.contact.located is not None
@@ -69,9 +69,9 @@ def _in_sequence(level: Level) -> bool:
 
 
 def _left_to_it(level: Level) -> Booleans:
-    """Return which pairs, (n, n), nothing else waits for.
+    """Return which pairs, (n, n), may land within a drift, as nothing else needs their impacts.
 
-    What waits is what sticks, and joints that break: for a whole blow at one step, not its parts.
+    Bodies that stick, and joints that break, need a whole blow at one step, and not its parts.
     """
     sticking, names = level.effects.sticking, list(level.bodies)
     left = np.full((len(names), len(names)), not any(breakable(level.joints)))

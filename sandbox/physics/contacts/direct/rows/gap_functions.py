@@ -43,8 +43,8 @@ ALIKE = 1e-6
 """m, the largest distance of corners that lie on each other: either may be that on the side."""
 
 LEANS = 0.1
-"""rad, the largest angle between sides that count as facing each other. Of one contact they have
-one normal, that of one side, though the corner at its other point may lie on the other side."""
+"""rad, the largest angle between sides that count as facing each other. A contact of theirs has one
+normal, that of one side, though at one of its points a corner may lie on the other side."""
 
 
 @dataclass(slots=True)  # not frozen: made in every step
@@ -214,7 +214,7 @@ def _owners(touching: ContactPoints, out: Plane, points: Plane) -> tuple[Boolean
 
     `out`, (2, k), is the direction from each body to the other, and `points`, (2, k), are the
     contact points on both [m], along their axes. Where sides face each other, a corner of one lies
-    on the side of the other; at each of their two points it may be that of another body. Also the
+    on the side of the other; which body's side it is may differ between their two points. Also the
     normals from the first body to the second, along the axes of both, (2, k): those of the sides
     where the sides lean, and the contact has the normal of the other one.
     """

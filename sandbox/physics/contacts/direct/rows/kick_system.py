@@ -24,13 +24,13 @@ PROUD = 1e-9
 """m, the overlap with which a gap closes within a drift: exactly 0 would not count as contact."""
 
 LIFTS = 1e-8
-"""m, by which a point must separate in a drift to lose its friction. If it separates by less, w, it
-slips as the other point of its side does, at a distance l, but for w² / l."""
+"""m: a point that separates by more than this in a drift loses its friction. If it separates by
+less, w, its slip differs by w² / l from that of the other point of its side, at a distance l."""
 
 
 OPENS = 0.1
-"""m/s, the most at which bodies that overlap part where a gap between them should close: within a
-very brief part of a drift they would be shot out."""
+"""m/s: bodies that overlap, where a gap between them should close, part no faster than this. They
+would be shot out within a very brief part of a drift."""
 
 
 @dataclass  # not frozen: made in every step
@@ -103,7 +103,7 @@ class Kick:
         return kick
 
     def strikes(self, moved: Array, laws: Array, pulls: Array) -> bool:
-        """Return whether a gap that is still open closes faster than forces alone explain.
+        """Return whether a gap that is still open closes faster than forces alone could cause.
 
         `moved`, (3 N,), are the velocities after the kick [m/s, rad/s]; `laws` and `pulls`, (3 N,),
         are the accelerations by force laws, and by joints and contacts [m/s², rad/s²].
@@ -163,7 +163,7 @@ class Kick:
         """Return the system with the friction of tilting sides at the point that bears the load.
 
         One of the two points of a side carries the friction of both: they slip alike as long as the
-        side lies flat. None if all sides do. `moved`, (3 N,), are the velocities after the
+        side lies flat. None if all lie flat. `moved`, (3 N,), are the velocities after the
         kick [m/s, rad/s], and `forces`, (r,), are its forces [N].
         """
         first, gaps = self.layout.gaps.start, self.layout.gaps

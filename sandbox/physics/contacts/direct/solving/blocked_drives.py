@@ -1,7 +1,7 @@
 """Drives that nothing can give way to, such as a plate that is driven against a box on the floor.
 
-Without forces it may be that a step is too long, or that no motion at all is possible. The second
-is a matter of geometry: velocities must exist with which no gap shrinks and all joints hold.
+If no forces are found, a step may be too long, or no motion at all may be possible. The second is a
+matter of geometry: whether velocities exist with which no gap shrinks and all joints hold.
 """
 
 import numpy as np

@@ -20,8 +20,8 @@ NOTHING = 1e-12
 """m, the rounding of an overlap from step to step; smaller corrections are not made."""
 
 FURTHEST = 100.0
-"""The most that bodies may be moved [m, rad], as a multiple of the overlap that is to be removed:
-jammed ones could only be freed by turning them far, through others."""
+"""Bodies are moved by at most this multiple of the overlap that is to be removed [m, rad]: jammed
+ones could only be freed by turning them far, through others."""
 
 
 class OverlapCorrection:
@@ -72,7 +72,7 @@ class OverlapCorrection:
         return way, (kick.layout, held)
 
     def _together(self, kick: Kick, wanted: Array, way: Array) -> Array:
-        """Return a displacement that keeps bodies in contact which press on each other.
+        """Return a displacement that keeps bodies that press on each other in contact.
 
         `wanted`, (r,), are the least values of the rows afterwards. `way`, (3 N,), is the smallest
         displacement [m, rad]; it is returned if none keeps them in contact.

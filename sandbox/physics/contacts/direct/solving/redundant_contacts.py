@@ -16,7 +16,7 @@ from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.state.errors import NoForces
 
 MOVES = 1e3 * CUT
-"""The share of a contact's inverse mass that joints leave to it, below which they determine it."""
+"""Joints determine a contact if they leave it less than this share of its inverse mass."""
 
 
 def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:

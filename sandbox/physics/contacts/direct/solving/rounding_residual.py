@@ -9,9 +9,10 @@ from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.constraint_interface import PLACES
 
 FOOT = 16
-"""How much worse than a place the foot of a body on a curve is known: it is found from several.
-What is left of it in a kick differs between processors, 1e-13 to 1e-12 m/s at 500 Hz. In a pile
-each layer adds its own: 8 times as much is left at the top of 200 boxes, at the most."""
+"""The rounding error of the foot of a body on a curve, which is found from several positions, as a
+multiple of that of a position. What is left of it in a kick differs between processors, 1e-13 to
+1e-12 m/s at 500 Hz. In a pile each layer adds its own: up to 8 times as much is left at the top of
+200 boxes."""
 
 
 def left_of_places(places: Array, bodies: Sequence[pymunk.Body], drift: float) -> float:
@@ -21,6 +22,6 @@ def left_of_places(places: Array, bodies: Sequence[pymunk.Body], drift: float) -
 
 
 def spread(bodies: Sequence[pymunk.Body]) -> float:
-    """Return the largest mass over the least: rounding in the one moves the other that much."""
+    """Return the largest mass over the least: rounding of one moves the other so much more."""
     masses = [body.mass for body in bodies if body.body_type == pymunk.Body.DYNAMIC]
     return max(masses) / min(masses)

@@ -19,7 +19,7 @@ from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.shake import parabola
 
 SMOOTH = 0.5
-"""The largest second difference of forces, as a share of their last change, that counts as smooth.
+"""Forces change smoothly if their second difference is at most this share of their last change.
 Forces that jump to and fro would be extrapolated further off, and may lead to another solution."""
 
 AT_REST = 1e-9
