@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 _THRESHOLD_OPTION = -3  # M_MMAP_THRESHOLD of glibc's malloc.h
 THRESHOLD = 128 * 1024
-"""The size from which blocks are returned to the system when freed, glibc's initial one [bytes]."""
+"""Blocks from this size on are returned to the system when freed; glibc's initial value [bytes]."""
 
 
 def give_back_large_blocks() -> bool:

@@ -40,9 +40,9 @@ TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px
 
 LONG = 60_000
-"""The size of a level file above which a message announces that it is being read [bytes]."""
+"""A message announces that a level file above this size is being read [bytes]."""
 MANY = 100
-"""The number of bodies and joints above which a message announces that a level is being built."""
+"""A message announces that a level with more bodies and joints than this is being built."""
 
 
 class Workspace:

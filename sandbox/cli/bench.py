@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 LEAST, MOST = 480, 8000  # px, of a window's width and height
 HELD = 0.98
-"""The share of real time from which a level counts as running in real time: its first frames are
+"""From this share of real time on, a level counts as running in real time: its first frames are
 slower."""
 
 _HEADER = (

@@ -16,7 +16,7 @@ from sandbox.model.scheme_requirements import bounds_the_rate
 from sandbox.processes import spread
 
 FEW = 30
-"""The number of joints up to which a step is never too expensive."""
+"""With up to this many joints, a step is never too expensive."""
 
 
 class Finding(NamedTuple):

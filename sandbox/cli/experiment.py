@@ -60,7 +60,7 @@ def experiment(
     began = perf_counter()
     _run(plan, store, missing, jobs, address)
     seconds = perf_counter() - began
-    page = report.write(plan, store.results, output)  # first: nobody may listen any more
+    page = report.write(plan, store.results, output)  # before printing, which may fail
     typer.echo(f"{store.results}: {plan.runs:,} runs" + (f" in {seconds:.3g} s" if missing else ""))
     for line in page.remarks:
         typer.echo(line)

@@ -31,7 +31,7 @@ FITTED = (
     (re.compile(r" (?=J\b)"), " \u200a"),
     (re.compile(r"r\.(?=\w)"), "r\u200a."),
 )
-"""What is drawn otherwise, since Noto Sans draws it badly in small sizes.
+"""Characters that are replaced, since Noto Sans draws them badly in small sizes.
 
 Its minus is as short as a hyphen, a J reaches into the space before it, and an r hides the point
 after it.

@@ -27,7 +27,7 @@ from sandbox.version import __version__
 SIZE = 320, 200  # px
 DRAWN = 480, 300  # px, before scaling down, which makes lines thinner
 LOOK = 2
-"""A number to raise when the stage draws levels otherwise, so that no older picture is shown."""
+"""A number to raise when the stage draws levels differently, so that no older picture is shown."""
 PATIENCE = 1.0  # s of computing, after which a run is drawn at its current step
 MOST = 1000
 """The largest number of pictures in the cache; older ones are removed."""

@@ -15,7 +15,7 @@ AT_ONCE = 3
 BATCH = 16
 """The largest number of levels that are ordered at once."""
 ENOUGH = 32
-"""The number of pictures after which another process draws them, as its time is limited."""
+"""After this many pictures, another process draws the next ones, as its time is limited."""
 MOST = 80
 """The number of pictures that are kept in memory: more than are ever visible at once."""
 

@@ -10,7 +10,7 @@ from sandbox.model.expressions import Values
 from sandbox.physics.stepping.world import World
 
 BRIEF = 0.05
-"""The least duration of a branch that is kept, as a fraction of the level's: while a slider is
+"""A branch shorter than this fraction of the level's duration is not kept: while a slider is
 dragged, a run branches at every step."""
 
 

@@ -17,7 +17,7 @@ ROOM = 0.06
 """The free space above and below the lines, as a share of the height."""
 
 ROUNDING = 1e-12
-"""Smaller differences are drawn as a straight line [J]."""
+"""Smaller differences are rounding: such a line is drawn level [J]."""
 
 
 def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Surface:

@@ -34,15 +34,15 @@ _NAMES = (
 )
 
 FAINT = 1e-9
-"""The fraction of the largest force below which a force counts as a rounding error."""
+"""A force below this fraction of the largest one counts as a rounding error."""
 
 
 LITTLE = 0.1
-"""The fraction of the scale below which the largest force makes the scale be reduced."""
+"""If the largest force is below this fraction of the scale, the scale is reduced."""
 
 
 HELD = 0.3
-"""The time for which the stage shows the numbers of a page, which is updated less often [s]."""
+"""For this time the stage shows the numbers of a page, which is updated less often [s]."""
 
 
 class SelectedBody:

@@ -18,15 +18,15 @@ DIGITS = 4
 TOGETHER = 5
 """The largest number of forces on a body that share one line; more get a line each."""
 TURNS = 1e-6
-"""The lever arm up to which the torque of a force is not mentioned [m]."""
+"""With no longer a lever arm than this, the torque of a force is not mentioned [m]."""
 
 
 STILL = 1e-9
-"""The speed up to which a body is described as at rest [m/s, rad/s]."""
+"""A body that is no faster than this is described as at rest [m/s, rad/s]."""
 
 NEAR = 1e-6
-"""The distance from an axis, as a fraction of the view's width, up to which a point is described as
-on the axis."""
+"""A point no further from an axis than this fraction of the view's width is described as on the
+axis."""
 
 MANY = 40
 """The largest number of bodies, joints or contacts that are described one by one; the others are

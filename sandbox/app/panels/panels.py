@@ -86,7 +86,7 @@ class Panels:
 
     def renew(self, size: tuple[int, int]) -> None:
         """Use the present theme, scale and language, from the next `build` on."""
-        # Else the focus would stay with a widget that nobody sees, and keep it with all others.
+        # Else the focus would stay with an invisible widget, and keep all of them in memory.
         self._root().kill()  # type: ignore[no-untyped-call]
         self._begin(size)
 

@@ -29,11 +29,11 @@ LEFT: tuple[Caption, ...] = (
 )  # fmt: skip
 WAYS: tuple[Caption, ...] = (("fit", later("Fit")), ("help", later("Help")))
 KNOB = 7.0  # px, the radius of the knob on the time bar
-SNAP = 6  # px, the distance from a mark within which a click snaps to it
+SNAP = 6  # px: a click snaps to a mark within this distance
 REACH = 24  # px, the additional height of the clickable area of the time bar
 MARKED = "grab", "release", "place", "branch", "alter"
 """The actions that are marked on the time bar; a pull lasts from one to the next."""
-NEARLY = 0.95  # share of the chosen speed, above which a lower speed is not reported
+NEARLY = 0.95  # a speed above this share of the chosen one is not reported as lower
 
 
 class Controls(Bar):

@@ -7,7 +7,7 @@ from pygame import Rect
 
 BAR = 60  # px, the height of the controls
 ROOM: Mapping[str, int] = {"levels": 860, "side": 700}
-"""The window width from which each column is shown [px]."""
+"""The least window width with each column [px]."""
 LEVELS = 210, 290  # px, the least and the largest width of the list, at scale 1
 SIDE = 320, 400  # px, the same for the side panel
 STAGE = 460, 300  # px, the least width of the stage with both columns, and with the side panel only

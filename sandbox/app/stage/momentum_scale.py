@@ -15,7 +15,7 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 JUMP = 3.0
-"""The multiple of the 95th percentile above which a ghost's speed counts as a jump."""
+"""A ghost's speed above this multiple of the 95th percentile counts as a jump."""
 UNIT = "kg·m/s"
 
 _scales: WeakKeyDictionary[object, "_Kept"] = WeakKeyDictionary()

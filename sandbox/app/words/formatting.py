@@ -30,7 +30,7 @@ MINUS = "−"
 RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 """The digits of an exponent."""
 ROUNDING = 1e-12
-"""The fraction of a scale below which a value counts as a rounding error."""
+"""A value below this fraction of a scale counts as a rounding error."""
 NO_DIFFERENCE = later("no difference")
 SCHEMES: Mapping[str, str] = {
     "leapfrog": later("leapfrog"),

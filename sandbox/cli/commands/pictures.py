@@ -23,9 +23,9 @@ from sandbox.cli.commands.options import (
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Look for no garbage up to the first picture, before which nothing is lost.
+    """Collect no garbage up to the first picture, as there is hardly any before.
 
-    Then `Window.look_through` looks for it, and from there on it is looked for as ever.
+    Then `Window.look_through` collects it, and from there on it is collected as usual.
     """
     gc.disable()
     try:

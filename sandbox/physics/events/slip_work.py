@@ -15,7 +15,7 @@ ROUNDING = 1e-12
 """A slip counts as zero if it is slower than this share of the speeds of the two surfaces."""
 
 FAINT = 1e-9
-"""It also counts as zero if it is slower than this share of the change of these speeds in a step."""
+"""It also counts as zero below this share of the change of these speeds in a step."""
 
 
 class Slips(NamedTuple):

@@ -21,7 +21,7 @@ APART = 7.0  # px, between arrows that would overlap
 FURTHER = range(16, 45, 14)  # px, the distances of labels from their arrow
 SIMILAR = 0.12  # rad, the largest angle between directions that look alike
 FLAT = 0.04
-"""The width of a force polygon, as a share of its length, below which its arrows are separated."""
+"""The arrows of a force polygon are separated if its width is below this share of its length."""
 
 
 def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:

@@ -93,7 +93,7 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     card.y += 4
     card.heading(say("Change"))
     card.text(session.books.covered, 12, theme.DIM)
-    if place is not None:  # an observer who is accelerated sees changes that no impulse explains
+    if place is not None:  # an accelerated observer sees changes that no impulse explains
         card.text(seen_from(None), 12, theme.NOTICE)
     _add_table(card, given(session), scale)
     return card.drawn()

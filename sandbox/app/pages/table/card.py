@@ -18,7 +18,7 @@ from sandbox.physics.accuracy.trusted_digits import Trust
 ROWS = 24
 """The largest number of instants shown, at round times, besides the last one."""
 ROUNDING = 1e-9
-"""The fraction of an interval by which the first time may be late."""
+"""The first time may be late by this fraction of an interval."""
 
 COLUMNS = 3
 """The number of quantities that fit beside the time; a file contains all."""

@@ -21,7 +21,7 @@ Moment = Expression | ContactEvent | Passage
 """A time [s], or the first occurrence of an event."""
 
 FEW = 12
-"""The largest number of bodies for which apex and landing are offered."""
+"""Apex and landing are offered for at most this many bodies."""
 MOST = 60
 """The largest number of triggers offered."""
 

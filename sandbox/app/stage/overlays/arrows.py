@@ -7,7 +7,8 @@ from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.overlays.overlay import Overlay
 
 AT_REST = 1e-6
-"""The distance, as a fraction of the visible width, below which bodies count as at rest."""
+"""Bodies that move by less than this fraction of the visible width in the level's duration count as
+at rest."""
 
 
 def seconds(view: View) -> float | None:

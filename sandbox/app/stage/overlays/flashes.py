@@ -16,7 +16,7 @@ LEAST = 0.35
 WAVE = 1.4
 """How far the ring around a flash spreads, relative to the flash."""
 DYING = 0.25
-"""The brightness below which the ring is left out."""
+"""Below this brightness the ring is left out."""
 RINGS = 12
 """The number of concentric discs of a glow."""
 MOST = 24

@@ -23,7 +23,7 @@ ALONG = Rod | Rope | Spring | Pulley | Winding
 WIDTHS = 2.0, 10.0  # px, of the line of the weakest and of the strongest
 DASH = 7, 6  # px, of a joint that pushes
 FAINT = 1e-9
-"""The load, relative to the largest so far, below which it counts as a rounding error."""
+"""A load below this fraction of the largest so far counts as a rounding error."""
 LEAST = 6.0  # px, the length below which no load is drawn
 
 

@@ -23,11 +23,11 @@ AROUND = 8
 RADIUS = 5.0  # px, of the sign of the centre of rotation
 WIDTH = 2.0  # px, of an arrow
 AT_REST = 1e-9
-"""The rotation in the time of an arrow below which a body does not turn [rad]."""
+"""A body turns if it rotates by more than this in the time of an arrow [rad]."""
 
 ALIKE = 0.25
-"""The ratio of the velocity of turning to that of the centre of mass below which a body is taken
-to move as a whole."""
+"""A body is taken to move as a whole if the ratio of its velocity of turning to that of its centre
+of mass is below this."""
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:

@@ -27,8 +27,8 @@ FINER = 4.0
 """The factor on the step rate that is advised after a larger turn."""
 
 REACH = 16
-"""If the foot of a bead has to be searched anew, it is within the wire's number of pieces over this,
-to either side. Parts of the wire that come closer but are further along do not count."""
+"""If the foot of a bead is searched anew, it is within the wire's number of pieces over this, to
+either side. Parts of the wire that come closer but are further along do not count."""
 
 SLACK = 1.0
 """Pieces, the most by which a bead may be past the end of a wire, for one that starts there and
