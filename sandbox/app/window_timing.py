@@ -52,8 +52,9 @@ class Timing:
     cost: float
     """The processor time for a second of the level in the window, without drawing [s]."""
     frame_p50: float
+    """The median of the processor times of frames [s]."""
     frame_p99: float
-    """The median and the 99th percentile of the processor times of frames [s]."""
+    """The 99th percentile of the processor times of frames [s]."""
     speed: float
     """The simulated time over real time."""
 

@@ -35,8 +35,9 @@ class EditableField:
     """Its path in the level."""
     label: str
     help: str
+    """Its description, in the current language."""
     unit: str
-    """Its name and its description, in the current language, and its unit."""
+    """Its unit."""
     sort: Sort
     """The kind of widget; `json` is for values without a widget of their own, typed as in a file.
     """

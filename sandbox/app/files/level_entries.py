@@ -26,13 +26,15 @@ class Entry(NamedTuple):
     """A level in the list."""
 
     path: Path
+    """The file."""
     chapter: str
-    """The file, and the chapter under which it is listed."""
+    """The chapter under which it is listed."""
     original: Texts
     """The texts of the file, in the language of its author."""
     title: str
+    """The title in the current language."""
     summary: str
-    """The texts in the current language."""
+    """The summary in the current language."""
     words: str
     """The text that a search looks through, in lower case: as shown, and as in the file."""
 

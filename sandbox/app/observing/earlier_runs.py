@@ -18,8 +18,9 @@ class RunObservations(NamedTuple):
     """The observations of a run."""
 
     trail: ThinnedSeries
+    """The paths of the bodies."""
     history: History
-    """The paths of the bodies, and all states that are kept."""
+    """All states that are kept."""
     world: World
     """The world of the run."""
 

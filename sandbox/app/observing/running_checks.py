@@ -29,10 +29,10 @@ class Reading:
     result: Result
     """The result so far."""
     measured: float | None
+    """The value at the check's event; before it, and for a check at every step, the value at the
+    last recorded step. None if there is none yet."""
     expected: float | None
-    """The values at the check's event, or, before it and for a check at every step, at the last
-    recorded step. The value expected at an event to come may be unknown. None if there is no value
-    yet."""
+    """The value expected then, or before the event, at the event; None if that is unknown."""
 
 
 class Ration(Generic[T]):

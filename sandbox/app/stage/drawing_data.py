@@ -48,9 +48,9 @@ class View:
         """The outlines of all bodies, by name."""
         seen = sorted((o for o in self.outlines.values() if not o.hidden), key=lambda o: o.layer)
         self.moving: Sequence[Outline] = [o for o in seen if o.moves]
+        """The outlines of moving bodies without hidden ones, the lowest layer first."""
         self.still: Sequence[Outline] = [o for o in seen if not o.moves]
-        """The outlines of moving and of static bodies without hidden ones, the lowest layer
-        first."""
+        """The same of static bodies."""
         raised = [o for o in self.still if o.layer > 0]
         self.in_front = sorted([*self.moving, *raised], key=lambda o: o.layer)
         """The outlines drawn in every frame: moving bodies, and static ones on a layer above 0."""

@@ -41,11 +41,13 @@ class Impact(NamedTuple):
     impulse: complex
     """The impulse on the second body; the first gets the opposite [N s]."""
     kinematic: float
+    """The work of kinematic bodies [J]."""
     driven: float
-    """The work of kinematic bodies and of belts [J]."""
+    """The work of belts [J]."""
     rubbed: float
+    """The work of friction [J]."""
     pressed: float
-    """The work of friction and of the normal impulses [J]."""
+    """The work of the normal impulses [J]."""
     given: Array
     """(3,), the momentum, and the angular momentum about the origin, that it added [kg m/s, kg
     m²/s]."""

@@ -34,8 +34,9 @@ class Jolt(NamedTuple):
     place: Array
     """(n, 3), the positions [m, rad]."""
     begun: Array
+    """(n, 3), the velocities before it [m/s, rad/s]."""
     after: Array
-    """(n, 3), the velocities before and after it [m/s, rad/s]."""
+    """(n, 3), the velocities after it [m/s, rad/s]."""
     pulls: JointForces
     """The impulses of the exact joints, in place of tensions [N s]."""
     contacts: Contacts

@@ -39,8 +39,9 @@ class ContactAccelerations(NamedTuple):
     forces: Contacts
     """Their contacts, with forces in place of impulses."""
     slips: Slips
+    """The slips of the contacts."""
     sense: Array
-    """The slips of the contacts, and their directions."""
+    """(k,), the directions of the slips: 1, −1, or 0 if there is none."""
 
 
 class ContinuationSolver:

@@ -19,8 +19,9 @@ class SlipState(NamedTuple):
     place: Array
     """(n, 3), the positions of the bodies [m, rad]."""
     slips: Slips
+    """The slips of the contacts."""
     sense: Array
-    """The slips of the contacts, and their directions."""
+    """(k,), the directions of the slips: 1, −1, or 0 if there is none."""
     ends: Booleans
     """(k,), the contacts whose slip ends in the drift after the kick."""
     weakened: Booleans

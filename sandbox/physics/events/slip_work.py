@@ -74,9 +74,11 @@ class Phase(NamedTuple):
     lasts: float
     """Its duration [s]."""
     place: Array
+    """(n, 3), the positions at its start [m, rad]."""
     velocity: Array
+    """(n, 3), the velocities at its start [m/s, rad/s]."""
     acceleration: Array
-    """(n, 3), positions and velocities at its start, and the accelerations in it."""
+    """(n, 3), the accelerations in it [m/s², rad/s²]."""
     forces: Contacts
     """The contacts, with forces in place of impulses."""
 
@@ -96,9 +98,9 @@ class SlipEntries(NamedTuple):
     begun: Array
     """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
     rubbed: float
+    """The work of friction beyond that in the halves of the two kicks [J]."""
     works: dict[str, float]
-    """The work of friction, and of belts and kinematic bodies, beyond that in the halves of the two
-    kicks [J]."""
+    """The same of belts and kinematic bodies, by account [J]."""
     way: Array
     """(n, 3), the displacements beyond those in the halves of the two kicks [m, rad]."""
     lifted: float

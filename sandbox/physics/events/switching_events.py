@@ -37,11 +37,13 @@ class Part(NamedTuple):
     """A part of a drift in which the accelerations of n bodies are constant."""
 
     t: float
+    """Its start time [s]."""
     lasts: float
-    """Its start time and its duration [s]."""
+    """Its duration [s]."""
     place: Array
+    """(n, 3), the positions at its start [m, rad]."""
     velocity: Array
-    """(n, 3), positions and velocities at its start [m, rad, m/s, rad/s]."""
+    """(n, 3), the velocities at its start [m/s, rad/s]."""
     acceleration: Array
     """(n, 3), the accelerations in it [m/s², rad/s²]."""
     cause: float = 0.0
@@ -90,9 +92,9 @@ class EventEntries(NamedTuple):
     jolts: "Sequence[Jolt]" = ()
     """The impacts of joints in the drift."""
     rubbed: float = 0.0
+    """The work of friction beyond that in the halves of the two kicks [J]."""
     rubs: Mapping[str, float] = NOTHING
-    """The work of friction, and of belts and kinematic bodies, beyond that in the halves of the two
-    kicks [J]."""
+    """The same of belts and kinematic bodies, by account [J]."""
 
 
 def crosses(crossing: Crossing, before: float, now: float) -> bool:

@@ -28,8 +28,9 @@ class Graph(NamedTuple):
     place: pygame.Rect
     """Its place in the picture [px]."""
     across: Scale
+    """Its horizontal axis, with pixels relative to its corner."""
     up: Scale
-    """Its axes, with pixels relative to its corner."""
+    """Its vertical axis, with pixels relative to its corner."""
 
 
 @dataclass(frozen=True, slots=True)

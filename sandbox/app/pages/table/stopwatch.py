@@ -29,8 +29,9 @@ class Reading(NamedTuple):
     decimals: int
     """The number of significant decimals."""
     begun: bool
+    """Whether it was started."""
     going: bool
-    """Whether it was started, and whether it is still running."""
+    """Whether it is still running."""
 
     @property
     def text(self) -> str:

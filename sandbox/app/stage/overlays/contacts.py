@@ -54,8 +54,9 @@ class Touch(NamedTuple):
     at: XY
     """The point of application [m]."""
     normal: XY
+    """The normal force [N]."""
     friction: XY
-    """The two parts of the force [N]."""
+    """The friction [N]."""
     mu: float
     """The coefficient of friction that limits it: the static one while it holds."""
     slides: bool
