@@ -50,7 +50,7 @@ class Drafts:
         return Draft(level.text, draft.path, level.text.encode())  # the file has mistakes now
 
     def add(self, draft: Draft) -> None:
-        """Keep a draft, and drop others that nobody has edited."""
+        """Keep a draft, and drop others that were not edited."""
         for other in [other for other in self._kept if other is not draft]:
             other.rest()
             if not other.touched:

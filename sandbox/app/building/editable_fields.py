@@ -34,6 +34,7 @@ class EditableField:
     path: Path
     """Its path in the level."""
     label: str
+    """Its name, in the current language."""
     help: str
     """Its description, in the current language."""
     unit: str
