@@ -31,8 +31,8 @@ from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick_context import Kick, Work
 
 SUDDEN = 0.5
-"""The force of a joint that grows by at least this share of what the joint bears within a step is a
-blow. Slower growth is a rising force, and is located within the drift."""
+"""A joint takes a blow if its force grows, within a step, by more than this share of what it bears.
+Slower growth is a rising force, and is located within the drift."""
 
 
 class JointBreaking:

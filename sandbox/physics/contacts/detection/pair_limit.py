@@ -22,7 +22,7 @@ SWEEPS = 100
 """So many sweeps of the solver over a pair take as long as finding it."""
 
 MOST_DIRECT = 1000
-"""The most pairs for the direct solver, in which they form one dense system."""
+"""The most pairs for the direct solver, where they form one dense system."""
 
 MOST_HOLLOW = 1000
 """The most pairs of arcs, hoops and curves: a step of so many nested arcs takes 70 ms."""

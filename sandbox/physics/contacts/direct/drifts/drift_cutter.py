@@ -126,12 +126,12 @@ class DriftCutter(PartSolver):
         self.reached, self._stopped = reached, self._still
         self._calm = self._stopped & ~reached  # stopped, and not disturbed since
         self._stops = self._catches = 0  # the ends of slips, and the catches, that were located
-        self._early: Booleans | None = None  # who takes part from the first landing on
-        self._near: list[Pair] = []  # who might take part
+        self._early: Booleans | None = None  # those that take part from the first landing on
+        self._near: list[Pair] = []  # those that might take part
         self.record = LandingRecord(len(reached))
 
     def _take_in(self, bodies: Booleans) -> None:
-        """Note who takes part: (n,).
+        """Note which bodies take part: (n,).
 
         Raises `_Late` if some press on others, but did not take part from the first landing on.
         """

@@ -31,7 +31,7 @@ class Drifts:
 
     @property
     def struck(self) -> Sequence[LandingImpact]:
-        """Who collided in the landings of the drift before it, in turn."""
+        """The collisions in the landings of the drift before it, in order."""
         return self.landings.struck
 
     @property

@@ -89,7 +89,7 @@ def stopped(
 ) -> tuple[Some, Booleans]:
     """Return a kick after which what would land in a crowd comes to touch, and goes no further.
 
-    Also the crowd with those who are pushed by it, (n,). `again` solves the kick with more rows.
+    Also the crowd with the bodies that it pushes, (n,). `again` solves the kick with more rows.
     What it finds no impulses for is left to land.
     """
     for _ in range(LOOKS):

@@ -87,11 +87,11 @@ def come(
 def bounce(
     kick: Kick, came: Array, strikes: Booleans, held: Active | None = None
 ) -> tuple[Array, Array, list[Pair]]:
-    """Return the velocities after the impacts of a step, their impulses, and who collided.
+    """Return the velocities after the impacts of a step, their impulses, and the pairs.
 
     Newton's law of restitution ignores friction, and can add energy with it (Kane and Levinson
-    1985). And wedged bodies do not always have impulses that separate them. In these cases the
-    rebound is reduced to the largest share that has impulses and adds no energy.
+    1985). Also, wedged bodies do not always have impulses that separate them. In these cases the
+    rebound is reduced to the largest share for which there are impulses that add no energy.
 
     `came`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `held` see
     `come`. Raises `JointFailure` or `NoForces` if there are no impulses even without a rebound.

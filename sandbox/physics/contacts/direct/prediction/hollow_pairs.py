@@ -223,7 +223,7 @@ class HollowPairs:
                 yield _hit(path, time, corner)
 
     def _contacts(self, pair: Pair, places: Places) -> Iterator[tuple[HollowCorner, Piece]]:
-        """Yield the contacts of two bodies from inside or with a curve, and who is the guest."""
+        """Yield the contacts of two bodies from inside or with a curve, each with its guest."""
         for shapes in self._close(pair, places):
             pieces = shapes[0].piece, shapes[1].piece
             found = verdict(*pieces, *places)
