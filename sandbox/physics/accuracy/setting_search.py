@@ -49,7 +49,7 @@ from sandbox.physics.accuracy.step_refinement import (
     octaves,
     slowest,
 )
-from sandbox.physics.guarding.least_step_rate import needed
+from sandbox.physics.guarding.least_step_rate import required_rate
 from sandbox.physics.measuring.recording import Recorder, Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
@@ -336,4 +336,4 @@ def _floor(level: Level, values: Values) -> float:
     except SimulationError:
         return 0.0
     contact = level.effects.contact
-    return needed(world.scene, now, (contact and contact.located) or ())
+    return required_rate(world.scene, now, (contact and contact.located) or ())

@@ -18,7 +18,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact, is_solved_by_pymunk
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.translatable_message import NOTHING, Message, both, joined
-from sandbox.physics.guarding.least_step_rate import needed
+from sandbox.physics.guarding.least_step_rate import required_rate
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.measuring.unbalanced_contacts import NOTICED
 from sandbox.physics.run import build
@@ -230,7 +230,7 @@ def _foreseen(level: Level, values: Values, stepping: Stepping) -> float:
         world = build(level, values, stepping)
     except SandboxError:
         return 0.0
-    return needed(world.scene, world.snapshot)
+    return required_rate(world.scene, world.snapshot)
 
 
 def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:

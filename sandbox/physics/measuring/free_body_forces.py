@@ -89,7 +89,7 @@ class FreeBodies:
 
     def _kick(self, row: int) -> "_Kick":
         scene, step = self._scene, self._world.last
-        seen = step.seen or Instant.of(step.snapshot)
+        seen = step.law_motion or Instant.of(step.snapshot)
         share = float(np.broadcast_to(scene.share(seen.t), len(self._names))[row])
         x, y = step.snapshot.position[row].tolist()
         rates = _rates(step, row, held=scene.joints.together is not None)
@@ -107,7 +107,7 @@ class FreeBodies:
             arm = _turned(evaluate(at, self._world.values), kick) if at else None
             own = getattr(entry, "name", None) or ""
             yield self._by_law(kick, law, arm)._replace(by=own)
-        if (turned := kick.step.turned) is not None:
+        if (turned := kick.step.turning_acceleration) is not None:
             x, y = (kick.mass * turned[row]).tolist()
             name = ", ".join(turn.effect.called for turn in scene.turns)
             yield AppliedForce(name, "", (x, y), center)
@@ -118,7 +118,7 @@ class FreeBodies:
             wound = joint in scene.joints.radii  # a string leaves its wheel at the rim
             arm = None if wound else _arm(scene.joints.paths.get(joint, ()), kick)
             yield AppliedForce.of(self._called(joint), joint, (x, y), torque, center, arm)
-        if (jump := kick.step.jump) is not None:
+        if (jump := kick.step.velocity_jump) is not None:
             x, y, spin = (jump[row] / kick.length).tolist()
             force = kick.mass * x, kick.mass * y
             yield AppliedForce.of(IMPACT, "", force, kick.moment * spin, center, None)
@@ -191,12 +191,12 @@ class _Kick(NamedTuple):
     def length(self) -> float:
         """The length of the kick [s]; the first is half as long as the others."""
         whole = self.step.parts[-1].kick
-        return whole / 2 if self.step.after is None else whole
+        return whole / 2 if self.step.post_kick_velocity is None else whole
 
     @property
     def contacts(self) -> Contacts:
         """The contacts of the kick itself, without the impacts that cut the drift before it."""
-        return self.step.contacts.after(self.step.over)
+        return self.step.contacts.after(self.step.impact_count)
 
     @property
     def struck(self) -> bool:
@@ -207,10 +207,10 @@ class _Kick(NamedTuple):
 
 def _rates(step: StepRecord, row: int, *, held: bool) -> Array:
     """Return the accelerations of a body over the kick, or at the step: (3,) [m/s², rad/s²]."""
-    if step.after is None or (step.composed and held):
+    if step.post_kick_velocity is None or (step.composed and held):
         now = step.snapshot
         return np.append(now.acceleration[row], now.angular_acceleration[row])
-    return (step.after[row] - step.begun[row]) / step.parts[-1].kick
+    return (step.post_kick_velocity[row] - step.pre_kick_velocity[row]) / step.parts[-1].kick
 
 
 def _turned(point: XY, kick: _Kick) -> XY:

@@ -137,7 +137,7 @@ class Trace:
 def leans(world: World) -> bool:
     """Return whether the solver did not settle the bodies at rest at the start of a run."""
     settling = world.kicks.settling
-    return bool(settling and settling.unsettled and not world.scene.direct)
+    return bool(settling and settling.is_unsettled and not world.scene.direct)
 
 
 def _steps_see_impacts(world: World) -> bool:
@@ -300,10 +300,10 @@ class Recorder:
         world, contact = self._world, self._world.level.effects.contact
         if not (contact and _steps_see_impacts(world)):
             return ()
-        from sandbox.physics.guarding.least_step_rate import fast
+        from sandbox.physics.guarding.least_step_rate import speed_bounds
 
         far = self._speeds > world.stepping.rate * self._widths
-        found = fast(
+        found = speed_bounds(
             world.scene, np.where(far, self._speeds, 0.0), self._widths, contact.located or ()
         )
         return tuple(sorted(found))[::-1]

@@ -52,7 +52,7 @@ class Unbalanced:
         if self._steps % EVERY or not len(contacts.bodies):
             return
         lasting = ~contacts.first & (contacts.normal > 0)
-        given = self._world.dt * float(np.hypot(*self._world.last.smooth[:, :2].T).max())
+        given = self._world.dt * float(np.hypot(*self._world.last.law_acceleration[:, :2].T).max())
         a, b = contacts.bodies.T
         if not (given and (lasting & self._moves[a] & self._moves[b]).any()):
             return

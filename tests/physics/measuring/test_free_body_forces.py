@@ -184,7 +184,7 @@ def test_forces_read_with_the_velocity_of_the_drift_miss() -> None:
     wrench = np.zeros((len(world.scene.bodies), 3))
     early = world.snapshot
     row = list(world.scene.bodies).index("ball")
-    early.velocity[row] = world.last.begun[row, :2]
+    early.velocity[row] = world.last.pre_kick_velocity[row, :2]
     law.add(early, wrench)
 
     x, y = wrench[row, :2] - force(found, "drag").force

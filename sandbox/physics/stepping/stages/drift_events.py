@@ -23,7 +23,7 @@ import numpy as np
 
 from sandbox.model.events import SingleEvent, happenings, loads
 from sandbox.model.expressions import Array
-from sandbox.physics.energy.impulse_propagation import reached
+from sandbox.physics.energy.impulse_propagation import reached_by_jerk
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.events.breaking_at_impact import borne_jolt
@@ -53,7 +53,7 @@ def make(setup: Setup) -> Stage:
     return Stage(
         before_drift=acting.look,
         started=acting.start,
-        begun=acting.begun,
+        pre_kick_velocity=acting.begun,
         record=acting.record,
         calls=1,
     )
@@ -107,7 +107,7 @@ class EventStage:
             )
         else:
             done = acted_at_a_step(self._begun, self._laws, self._switched)
-        return step._replace(acted=done._replace(jolts=tuple(self._jolts)))
+        return step._replace(events=done._replace(jolts=tuple(self._jolts)))
 
     def look(self) -> None:
         """Perform the events of the coming drift."""
@@ -140,7 +140,7 @@ class EventStage:
 
         Also the bodies that the kick before it struck or jerked: (n,).
         """
-        landing, smooth = self._landing, self._forces.smooth
+        landing, smooth = self._landing, self._forces.law_acceleration
         after = landing.left if landing else state[:, 3:]
         acceleration = (after - before) / self._dt
         struck = self._struck() | self._jerked()
@@ -182,7 +182,7 @@ class EventStage:
         self._past, slack = (pulls, before[0]), pulls.slack_before(*before)
         if not pulls.pulls_only.any() or pulls.new(before[0]).any():
             return np.zeros(len(moves), dtype=bool)
-        caught = reached(pulls, self._contacts, slack, moves)
+        caught = reached_by_jerk(pulls, self._contacts, slack, moves)
         return np.asarray(pulls.jacobian[caught].any(axis=(0, 2)))
 
     def _follow(self, part: Part, struck: Booleans) -> Iterator[Part]:
@@ -213,7 +213,7 @@ class EventStage:
         if landing := self._landing:
             at_start = self._waiting.first(part._replace(lasts=0.0))
             if at_start is None:
-                self._waiting.pass_by(part, landing.between)
+                self._waiting.note_crossings(part, landing.between)
             return at_start
         return self._waiting.first(part)
 
@@ -249,7 +249,7 @@ class EventStage:
             return part._replace(velocity=velocity, lasts=left)
         if scene.direct:
             scene.direct.drifts.forget()
-        with self._kicks.held():
+        with self._kicks.hold():
             after = self._kicks.settle(ahead, velocity, left / 2, left, at_step=True)
         if landing := self._landing:
             after = landing.left
@@ -280,7 +280,7 @@ class EventStage:
         joints, count = self._scene.joints, len(self._fixed)
         before = pulls_of(joints, count)
         self._scene.batch.set_state(np.concatenate(state, axis=1))
-        with self._kicks.tried():
+        with self._kicks.trial():
             after = self._kicks.settle(ahead, state[1], *lasts, at_step=True)
             forces = self._forces_of(lasts[0])
         pulls = pulls_of(joints, count)
@@ -326,7 +326,7 @@ class EventStage:
         place = end - begun * dt
         begun[self._fixed], place[self._fixed] = state[self._fixed, 3:], state[self._fixed, :3]
         if self._touching and not scene.direct:  # pymunk's warm start needs whole impulses
-            with self._kicks.held():
+            with self._kicks.hold():
                 self._kicks.settle(1.0, begun, dt, dt)
         scene.joints.time(dt, dt)
         mean = begun

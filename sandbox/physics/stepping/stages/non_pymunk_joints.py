@@ -33,12 +33,12 @@ def _solvers(joints: Joints, *, alone: bool) -> list[Work]:
 
 def bearing(setup: Setup, solve: Work) -> Work:
     """Return a solver of joints in which blows break joints, if any have a breaking force."""
-    borne, together = loads(setup.level.joints, setup.values), setup.scene.joints.together
-    if not (borne and together):
+    breaking_loads, together = loads(setup.level.joints, setup.values), setup.scene.joints.together
+    if not (breaking_loads and together):
         return solve
     from sandbox.physics.events.breaking_at_impact import JointBreaking
 
-    return JointBreaking(setup.scene, together, borne, solve)
+    return JointBreaking(setup.scene, together, breaking_loads, solve)
 
 
 def _all(work: Sequence[Work]) -> Work | None:
