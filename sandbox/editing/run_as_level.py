@@ -43,7 +43,7 @@ def as_it_stands(world: World, *, anew: bool) -> str:
     `SandboxError` if no level can start from this state.
     """
     _refuse(world)
-    if world.scene.happened or (anew and world.level.events):
+    if world.scene.event_times or (anew and world.level.events):
         raise SandboxError("no level can start between its events")
     if not anew:
         _refuse_to_begin_late(world.level)

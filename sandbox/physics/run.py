@@ -16,7 +16,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import lasting
 from sandbox.physics.energy.book_closure import Closer
-from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, leans, needed
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, may_lean, needed
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.state.errors import BreakdownError
 from sandbox.physics.stepping.make_world import make_world
@@ -40,7 +40,7 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     chosen = _resolved(level, values, stepping or level.stepping)
     with TimeLimit().within_steps():
         world = make_world(level, values, chosen)
-        if chosen.solver or not leans(world) or not may_be_direct(level):
+        if chosen.solver or not may_lean(world) or not may_be_direct(level):
             return world
         if len(world.contacts.bodies) > MOST_UNSETTLED:
             return world

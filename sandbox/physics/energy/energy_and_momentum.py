@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.physics.forces.variable_mass import Share
+from sandbox.physics.forces.variable_mass import MassFraction
 from sandbox.physics.state.motion import Instant, momentum
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ class MechanicalEnergy:
     """
 
     def __init__(
-        self, level: Level, laws: Sequence["Law"], inertia: Array, mass_fraction: Share
+        self, level: Level, laws: Sequence["Law"], inertia: Array, mass_fraction: MassFraction
     ) -> None:
         self._start, self._mass_fraction = inertia, mass_fraction
         self._stores = [law for law in laws if law.effect.book == "potential"]

@@ -21,7 +21,7 @@ from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import damps
-from sandbox.physics.forces.velocity_rotation import given
+from sandbox.physics.forces.velocity_rotation import rotation_change
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_forces import JointForces
 from sandbox.physics.state.motion import Instant
@@ -72,7 +72,7 @@ class Attribution:
         remaining = kick.inertia * change
         remaining -= sum((self.book_law(law, kick) for law in self._laws), np.zeros_like(remaining))
         remaining -= sum(
-            (self._book_rotation(turn, kick) for turn in self._scene.turns),
+            (self._book_rotation(turn, kick) for turn in self._scene.rotations),
             np.zeros_like(remaining),
         )
         impulses, works = self._book_joints(kick, joint_forces)
@@ -131,7 +131,7 @@ class Attribution:
     def _book_rotation(self, turn: VelocityRotation, kick: KickRecord) -> Array:
         """Book the impulse of forces that turn velocities, which do no work; return it: (n, 3)."""
         impulse = np.zeros_like(self._mass)
-        change = given(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
+        change = rotation_change(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
         impulse[:, :2] = kick.inertia[:, :2] * change
         self._entries.add_impulse(turn.effect.name, impulse, kick.place)
         return impulse

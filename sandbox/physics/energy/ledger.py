@@ -61,7 +61,7 @@ class Ledger:
         scene, level = run.scene, run.level
         self._run, self._scene, self._step = run, scene, run.last
         self._laws: tuple[Law, ...] = (*([scene.gravity] if scene.gravity else []), *scene.laws)
-        self._mechanics = MechanicalEnergy(level, self._laws, scene.inertia, scene.share)
+        self._mechanics = MechanicalEnergy(level, self._laws, scene.inertia, scene.mass_fraction)
         self._entries = Entries(level)
         self._attribution = Attribution(run, self._laws, self._entries)
         self._composed = self._step.composed
@@ -323,7 +323,7 @@ class Ledger:
 
     def _book_matter_flows(self, t: float, before: Array, after: Array) -> None:
         """Book the energy and momentum of matter that bodies gain or lose."""
-        flows = self._scene.share
+        flows = self._scene.mass_fraction
         if not isinstance(flows, MassFlows):
             return
         earlier, now, later = (
@@ -344,4 +344,4 @@ class Ledger:
 
     def _kick_contacts(self) -> Contacts:
         """Return the contacts of the kick, without the impacts that cut the drift before it."""
-        return self._step.contacts.after(self._step.impact_count)
+        return self._step.contacts.without_first(self._step.impact_count)

@@ -112,6 +112,6 @@ def _overloaded(scene: Scene, borne: Mapping[str, float], dt: float, found: Jolt
 
 def _break(scene: Scene, name: str, t: float) -> None:
     let_go(scene.joints, name, t)
-    scene.happened[breaking(name)] = t
+    scene.event_times[breaking(name)] = t
     if scene.direct:
         scene.direct.relay()

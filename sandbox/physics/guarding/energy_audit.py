@@ -86,7 +86,7 @@ class PassiveAudit:
         """Return the total energy and the potential energy [J]."""
         potential = sum(float(law.potential_energy(now).sum()) for law in self._stores)
         if self._springs:
-            potential += self._springs.stored(now)
+            potential += self._springs.energy(now)
         return float(
             kinetic_energy(self._scene.mass, self._scene.moment, now).sum()
         ) + potential, potential

@@ -18,10 +18,10 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.geometry.outline_distance import plain, width
+from sandbox.physics.geometry.outline_distance import width, without_feelers
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.scene.stability_limits import PROBE, just_stable, limit
-from sandbox.physics.state.anchor import length
+from sandbox.physics.scene.stability_limits import PROBE, just_stable, stability_limit
+from sandbox.physics.state.anchor import path_length
 from sandbox.physics.state.motion import Instant, Motion
 from sandbox.physics.state.snapshot import Snapshot
 
@@ -65,7 +65,7 @@ def required_rate(scene: Scene, now: Snapshot, located: Container[str] = ()) -> 
 
 
 def _spring_bound(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
-    rate, name = limit(scene.joints.springs, scene.inverse_mass, now.angle)
+    rate, name = stability_limit(scene.joints.springs, scene.inverse_mass, now.angle)
     if rate:
         yield RateBound(rate, Message("the spring '{name}'", name=name))
 
@@ -78,10 +78,10 @@ def _transverse_bound(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
     for name in joints.lines:
         pull = tension[name]
         for index, ends in enumerate(pairwise(joints.paths[name])):
-            distance = float(length(ends, now))
+            distance = float(path_length(ends, now))
             if distance > 0 and pull > 0:
                 taut[f"{index} {name}"] = SpringForce(ends, pull / distance, distance, 0.0)
-    rate, name = limit(taut, scene.inverse_mass, now.angle)
+    rate, name = stability_limit(taut, scene.inverse_mass, now.angle)
     if rate:
         yield RateBound(rate, Message("the joint '{name}'", name=name.partition(" ")[2]))
 
@@ -91,7 +91,7 @@ def widths(scene: Scene) -> Array:
 
     That of lines is infinite: they are as wide as the skin, and no practical rate is enough.
     """
-    shapes = (map(width, plain(body.shapes)) for body in scene.bodies.values())
+    shapes = (map(width, without_feelers(body.shapes)) for body in scene.bodies.values())
     least = np.array([min(each, default=0.0) for each in shapes])
     return np.where(least > THIN, least, np.inf)
 

@@ -43,7 +43,7 @@ def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, velocity: Arr
     scene, has_contacts = run.scene, run.level.effects.contact is not None
     watch: Watch
     with np.errstate(all="ignore"):  # the watch reports non-finite values by name
-        if has_contacts or scene.laws or scene.turns or run.level.joints:
+        if has_contacts or scene.laws or scene.rotations or run.level.joints:
             from sandbox.physics.guarding.watchdog import Watchdog  # few levels go without
 
             watch = Watchdog(run, now, contacts)

@@ -32,7 +32,7 @@ from sandbox.physics.guarding.lost_bodies import (
     refuse_non_finite,
     stop_run,
 )
-from sandbox.physics.scene.stability_limits import MARGIN, limit
+from sandbox.physics.scene.stability_limits import MARGIN, stability_limit
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
@@ -286,7 +286,9 @@ class Watchdog:
 
     def _oscillation(self, start: Snapshot) -> float:
         """Return the oscillation of a spring's energy with leapfrog: 1 / (1 − (ω dt / 2)²)."""
-        required_rate, _ = limit(self._scene.joints.springs, self._scene.inverse_mass, start.angle)
+        required_rate, _ = stability_limit(
+            self._scene.joints.springs, self._scene.inverse_mass, start.angle
+        )
         return 1 / max(1 - (required_rate / self._rate) ** 2, TIGHTEST)
 
     def _cause(self, row: int) -> tuple[Message, float | None]:

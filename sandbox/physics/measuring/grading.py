@@ -47,7 +47,7 @@ def grade(trace: Trace) -> tuple[Result, ...]:
     return tuple(grade_check(check, trace) for check in trace.level.checks)
 
 
-def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tuple[float, int]:
+def relative_error(measured: Array, expected: Array, least_scale: float = 0.0) -> tuple[float, int]:
     """Return the largest difference, relative if possible, and its index.
 
     It is relative to the largest expected value, or to a least scale if that is larger. If all
@@ -58,7 +58,7 @@ def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tupl
         difference = np.abs(measured - expected)
     difference = np.where(np.isnan(difference), np.inf, difference)
     worst = int(np.argmax(difference))
-    scale = max(float(np.abs(expected).max()), least)
+    scale = max(float(np.abs(expected).max()), least_scale)
     return float(difference[worst]) / (scale if ZERO < scale < np.inf else 1.0), worst
 
 
@@ -133,8 +133,8 @@ def _began(trace: Trace, at: Instant | None) -> float | None:
 
 
 def _meeting(trace: Trace, at: ContactEvent) -> Meeting | None:
-    met = trace.meetings.get(frozenset(at.bodies), ())
-    return met[at.nth - 1] if len(met) >= at.nth else None
+    meetings = trace.meetings.get(frozenset(at.bodies), ())
+    return meetings[at.nth - 1] if len(meetings) >= at.nth else None
 
 
 def _after_contact(trace: Trace, column: Array, at: ContactEvent) -> tuple[Array, Array] | None:

@@ -9,7 +9,7 @@ from sandbox.model.contact_solver_choice import may_catch
 from sandbox.model.level import Stepping
 from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.forces.variable_mass import MassFlows, Share
+from sandbox.physics.forces.variable_mass import MassFlows, MassFraction
 from sandbox.physics.scene.build_context import BuildContext
 from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
 from sandbox.physics.state.motion import Reading
@@ -42,7 +42,7 @@ def _reach(stepping: Stepping, *, held: bool) -> float:
     return composition(stepping.order, held=held).reach
 
 
-def hooked_springs(made: BuildContext, share: Share) -> Iterator[SpringForce]:
+def hooked_springs(made: BuildContext, share: MassFraction) -> Iterator[SpringForce]:
     """Add plain springs to pymunk's space, and yield all others.
 
     pymunk applies none in a level with contacts, or with one-sided joints that may catch, where

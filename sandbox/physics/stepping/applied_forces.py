@@ -29,13 +29,15 @@ class Forces:
     """
 
     def __init__(self, scene: Scene, warm_started: "ExactJoints | None", *, leapfrog: bool) -> None:
-        self._batch, self._laws = scene.batch, scene.hooked
-        self._mass_flows = scene.share if isinstance(scene.share, MassFlows) else None
-        self._turns = scene.turns
+        self._batch, self._laws = scene.batch, scene.hooked_laws
+        self._mass_flows = (
+            scene.mass_fraction if isinstance(scene.mass_fraction, MassFlows) else None
+        )
+        self._turns = scene.rotations
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.inverse_mass
         self._bodies, self._warm_started = list(scene.bodies.values()), warm_started
         sees_velocity = any(law.effect.sees_velocity for law in scene.laws)
-        self._extrapolates = leapfrog and (sees_velocity or bool(scene.turns))
+        self._extrapolates = leapfrog and (sees_velocity or bool(scene.rotations))
         self._base_acceleration = np.zeros((len(self._bodies), 3))  # acceleration by gravity
         if scene.gravity:
             self._base_acceleration[scene.mass > 0, :2] = scene.gravity.acceleration
@@ -125,9 +127,9 @@ class Forces:
         self, reading: Reading, wrench: Array, constraint_change: Array, length: float
     ) -> None:
         """Add the forces that rotate velocities in a kick of a length [s], given all others."""
-        from sandbox.physics.forces.velocity_rotation import rates, turning_acceleration
+        from sandbox.physics.forces.velocity_rotation import rotation_rates, turning_acceleration
 
-        self.turning_rates = rates(self._turns, reading)
+        self.turning_rates = rotation_rates(self._turns, reading)
         velocity = self._previous_velocity[:, :2] if self._extrapolates else reading.velocity
         inverse_mass = self._inverse_mass[:, :2]
         others = (

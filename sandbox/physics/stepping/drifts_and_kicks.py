@@ -162,7 +162,7 @@ class Kicks:
     def time_calls(self) -> None:
         """Measure the time of these calls from now on."""
         if self._hook:
-            self._hook.timed()
+            self._hook.start_timing()
 
     @property
     def seconds(self) -> float:

@@ -58,7 +58,7 @@ class Observer:
         if (impacts := self._stages.impacts) and (found := impacts()):
             from sandbox.physics.events.located_impacts import as_contacts
 
-            contacts = as_contacts(found).and_(contacts)
+            contacts = as_contacts(found).followed_by(contacts)
         snapshot = self.snapshot(state, *rates, contacts, self._kicks.clock.dt)
         return Observation(
             self._kicks.clock.steps, snapshot, contacts, pre_kick_velocity, state[:, 3:]

@@ -64,7 +64,7 @@ def _begin_at(setup: Setup, steps: int) -> None:
 def _repeat_events(setup: Setup, old: Scene, steps: int) -> None:
     """Tie, cut and switch what events had tied, cut and switched in the old world."""
     scene = setup.scene
-    scene.happened.update(old.happened)
+    scene.event_times.update(old.event_times)
     _repeat_catches(scene, old, steps * setup.kicks.clock.dt)
     for name, t in old.joints.cut.items():
         let_go(scene.joints, name, t)

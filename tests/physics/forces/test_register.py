@@ -214,7 +214,7 @@ def test_what_turns_velocities_keeps_speeds_and_looks_at_no_velocity() -> None:
             world = build(scene({effect.name: said}, stepping={"rate": 240}))
             begun = np.hypot(*world.snapshot.velocity.T)
             here, there = somewhere(1), somewhere(2)
-            for turn in world.scene.turns:
+            for turn in world.scene.rotations:
                 other = here._replace(velocity=there.velocity)
                 assert np.array_equal(turn.rate(here), turn.rate(other))
                 assert turn.rate(somewhere(4, times=3)).shape == (3, COUNT)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.geometry.outline_distance import smallest
+from sandbox.physics.geometry.outline_distance import smallest_width
 from sandbox.physics.guarding.least_step_rate import rate_bounds
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
@@ -66,7 +66,7 @@ def test_a_fast_body_asks_for_steps_as_long_as_it_is_wide() -> None:
     assert second.subject == "the body 'slow'"
     assert second.rate == pytest.approx(1)
     assert rate_bounds(world.scene, world.snapshot, ["bullet"]) == [second]
-    assert smallest(world.scene.space) == pytest.approx(0.02, rel=1e-6)
+    assert smallest_width(world.scene.space) == pytest.approx(0.02, rel=1e-6)
 
 
 @pytest.mark.parametrize("solver", ["direct", "iterative"])
@@ -93,4 +93,4 @@ def test_a_pin_asks_for_nothing_for_it_has_no_length_to_swing_about() -> None:
 def test_what_rests_asks_for_nothing() -> None:
     world = build(level({"a": disc(), "b": disc((3, 0))}, {"contact": {}}))
     assert rate_bounds(world.scene, world.snapshot) == []
-    assert smallest(world.scene.space) == 1
+    assert smallest_width(world.scene.space) == 1

@@ -29,5 +29,5 @@ def make(setup: Setup) -> Stage:
         after_kick=bearing(setup, solve),
         refit=refit,
         record=record,
-        contacts=lambda: direct.drifts.parted.and_(direct.contacts),
+        contacts=lambda: direct.drifts.parted.followed_by(direct.contacts),
     )

@@ -68,7 +68,7 @@ class EventStage:
         self._dt, self._leapfrog = setup.kicks.clock.dt, setup.leapfrog
         self._touching = level.effects.contact is not None
         found = happenings(level.events, level.joints, setup.values)
-        self._pending = {name: one for name, one in found.items() if name not in scene.happened}
+        self._pending = {name: one for name, one in found.items() if name not in scene.event_times}
         self._waiting = EventFinder(setup, self._pending)
         self._borne = loads(level.joints, setup.values)
         self._bounces = Bounces.of(scene, level, setup.values, self._borne, self._dt)
@@ -114,7 +114,7 @@ class EventStage:
         state, self._parts, self._switched = self._scene.batch.state(), [], 0.0
         self._jolts = []
         before, self._begun = self._before(), state[:, 3:]
-        for broken in self._pending.keys() & self._scene.happened.keys():
+        for broken in self._pending.keys() & self._scene.event_times.keys():
             del self._pending[broken]  # by a blow
         if self._bounces:
             self._bounces.release()
@@ -162,7 +162,7 @@ class EventStage:
         if without is not None and len(found.bodies):
             left = ~without[found.bodies].any(axis=1)
             found = Contacts._make(field[left] for field in found)
-        return found.times(1 / lasts)
+        return found.scaled(1 / lasts)
 
     def _struck(self) -> Booleans:
         """Return the bodies whose velocities an impact changed in the last kick: (n,)."""
@@ -293,7 +293,7 @@ class EventStage:
     def _throw(self, name: str, happening: SingleEvent, t: float) -> None:
         """Cut, tie, switch and reverse what an event names, at a time [s]."""
         scene, (_, cut, tie, on, off, reverse) = self._scene, happening
-        scene.happened[name] = t
+        scene.event_times[name] = t
         for joint in cut:
             let_go(scene.joints, joint, t)
         if cut and scene.direct:
