@@ -17,7 +17,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
-from sandbox.physics.accuracy.compared_runs import lasting
+from sandbox.physics.accuracy.compared_runs import at_least_lasting
 from sandbox.physics.advising.remedy_trials import creep_warning, leaning_warning, with_advice
 from sandbox.physics.measuring.csv_export import to_csv
 from sandbox.physics.measuring.grading import grade
@@ -49,7 +49,7 @@ def simulate(
     source, level = argument_parsing.open_level(argument)
     values = choose(level, settings)
     names = chosen(level, record)
-    asked = lasting(asking(level, accuracy, choice), values, duration)
+    asked = at_least_lasting(asking(level, accuracy, choice), values, duration)
     stepping = settled(asked, values, choice, names if record else ())
     varied = vary(level, off, on, stepping)
     if duration is not None:

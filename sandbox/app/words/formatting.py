@@ -260,12 +260,12 @@ def summary(found: Sequence[Difference], words: Say) -> Iterator[str]:
 def offer(setting: "Setting") -> str:
     """Describe the setting that reaches an accuracy, or the best one possible in real time."""
     if setting.in_real_time is None:
-        return f"{error(setting.target)}: {_offer(setting.playable)}"
+        return f"{error(setting.target)}: {_offer(setting.for_playing)}"
     return say(
         "{error} is not possible in real time: 1 s takes {cost:.2g} s of computing."
         " Instead: {offer}",
         error=error(setting.target),
-        cost=setting.drawn.cost,
+        cost=setting.for_drawing.cost,
         offer=_offer(setting.in_real_time),
     )
 
@@ -310,10 +310,10 @@ def next_digit(found: "Trust") -> str:
 
 def certain(value: float, off: float, unit: str) -> str:
     """Format a value that has an error, with only the digits that can be trusted."""
-    from sandbox.physics.accuracy.trusted_digits import surviving
+    from sandbox.physics.accuracy.trusted_digits import certain_digits
 
     scale = degrees(1) if unit.startswith("rad") else 1.0
-    digits = surviving(scale * value, scale * off)
+    digits = certain_digits(scale * value, scale * off)
     return quantity(value if digits else 0.0, unit, digits or 1, all_count=True)
 
 

@@ -40,7 +40,7 @@ class Attraction:
         """Store the moving bodies, the centre as an array, and how strongly each is attracted."""
         moving = in_place(np.flatnonzero(self.mass))
         object.__setattr__(self, "_moving", moving)
-        object.__setattr__(self, "_middle", np.array(self.center))
+        object.__setattr__(self, "_center", np.array(self.center))
         object.__setattr__(self, "_strength", (self.mu * self.mass)[moving])
 
     def add(self, motion: Motion, wrench: Array) -> None:
