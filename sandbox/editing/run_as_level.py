@@ -92,7 +92,7 @@ def _without_unused(text: str, level: Level) -> str:
 def _refuse(world: World) -> None:
     """Refuse changed masses, bodies that stuck together, and a slack string on a wheel."""
     level = world.level
-    flows = [e for e, _, _ in level.effects.said if e.changes_mass]
+    flows = [e for e, _, _ in level.effects.settings if e.changes_mass]
     if flows:
         raise SandboxError(
             "'{name}' has changed masses, and no level can start from that", name=flows[0].name

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
 _NAMES = (
     *(NORMAL, FRICTION, IMPACT, HAND),
-    *(effect.called for effect in EFFECTS.values() if effect.is_force),
-    *(kind.pull for kind in KINDS.values()),
+    *(effect.shown_force_name for effect in EFFECTS.values() if effect.is_force),
+    *(kind.force_name for kind in KINDS.values()),
 )
 
 FAINT = 1e-9

@@ -16,7 +16,7 @@ from typing import Literal
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
-from sandbox.model.quantities import momentary
+from sandbox.model.quantities import momentary_quantities
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import (
@@ -175,7 +175,7 @@ def _own_error(level: Level, values: Values) -> Iterator[Finding]:
     yield Progress(0.9, "halving the step")
     items = [check_item(check, values) for check in level.checks]
     judging = watched(level, values)
-    drawn = [Watched(found.name) for found in islice(momentary(level), MANY)]
+    drawn = [Watched(found.name) for found in islice(momentary_quantities(level), MANY)]
     own = level.stepping
     traces = list(_runs_to_compare(level, values, [*items, *judging, *drawn]))
     yield from trust_of(traces, drawn)

@@ -216,7 +216,7 @@ def stride(rate: float, observation_rate: float = SEEN) -> int:
 def _needs_every_step(level: Level, item: Watched) -> bool:
     """Whether a quantity depends on every step."""
     known = quantity(item.quantity, level)
-    return isinstance(item.at, ContactEvent | SeparationEvent) or not known.momentary
+    return isinstance(item.at, ContactEvent | SeparationEvent) or not known.is_momentary
 
 
 def largest_difference(one: Trace, other: Trace, item: Watched) -> float | None:

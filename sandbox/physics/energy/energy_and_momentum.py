@@ -47,7 +47,7 @@ class MechanicalEnergy:
         """Return the potential energy, by account [J]."""
         energies = dict(self._accounts)
         for law in self._stores:
-            energies[law.effect.booked] += float(law.potential_energy(motion).sum())
+            energies[law.effect.account_name] += float(law.potential_energy(motion).sum())
         return energies
 
     def potential_change_by_mass(self, motion: Instant, t: float) -> Array:

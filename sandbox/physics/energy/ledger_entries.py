@@ -21,7 +21,7 @@ class Entries:
     def __init__(self, level: Level) -> None:
         self.works = dict.fromkeys((*ledger_accounts.works(level), "hand"), 0.0)
         self.losses = dict.fromkeys(ledger_accounts.losses(level), 0.0)
-        self.impulses = {name: np.zeros(3) for name in ledger_accounts.outside(level)}
+        self.impulses = {name: np.zeros(3) for name in ledger_accounts.external_accounts(level)}
         self._loss_in_kick: dict[str, float] | None = None  # in the kick or impact so far [J]
 
     def begin(self) -> None:
@@ -46,9 +46,9 @@ class Entries:
     def add_law_work(self, law: Law, work: float) -> None:
         """Book the work of a law, unless it stores energy."""
         if law.effect.book == "work":
-            self.works[law.effect.booked] += work
+            self.works[law.effect.account_name] += work
         elif law.effect.book == "loss":
-            self.losses[law.effect.booked] += work
+            self.losses[law.effect.account_name] += work
 
     def add_friction(self, work: float) -> None:
         """Book the work of friction."""

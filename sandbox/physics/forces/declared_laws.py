@@ -44,7 +44,7 @@ def laws(
             continue
         for law in _laws_of(effect, getattr(effects, effect.name), inputs):
             _require(effect, law)
-            (rotations if effect.turns else forces).append(law)
+            (rotations if effect.rotates_velocity else forces).append(law)
     return tuple(forces), tuple(rotations)
 
 
@@ -60,7 +60,7 @@ def _laws_of(effect: Effect, settings: Any, inputs: LawInputs) -> Iterable[Any]:
 def laws_by_entry(effects: Effects, inputs: LawInputs) -> Iterator[tuple[Model, Law]]:
     """Yield each force with its settings; if these are a list, one law for each entry."""
     for effect in effects.declarations:
-        if effect.is_law and not effect.turns:
+        if effect.is_law and not effect.rotates_velocity:
             settings = getattr(effects, effect.name)
             for entry in settings if isinstance(settings, tuple) else (settings,):
                 part = (entry,) if isinstance(settings, tuple) else entry
@@ -102,9 +102,11 @@ def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
 
 def _require(effect: Effect, law: Law | VelocityRotation) -> None:
     """Refuse a law that contradicts its effect's declaration."""
-    required = ("rate",) if effect.turns else ("add", "potential_energy")
+    required = ("rate",) if effect.rotates_velocity else ("add", "potential_energy")
     if lacking := [name for name in required if not hasattr(law, name)]:
-        kind = "does no work, so it is a VelocityRotation" if effect.turns else "is a Law"
+        kind = (
+            "does no work, so it is a VelocityRotation" if effect.rotates_velocity else "is a Law"
+        )
         which = f"its law {kind}, but {type(law).__name__} in {_file(effect)}"
         raise IncompleteError(_message(effect, f"{which} has no '{lacking[0]}'"))
     if law.effect.name != effect.name:

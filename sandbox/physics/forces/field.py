@@ -77,5 +77,7 @@ def laws(entries: Sequence[declared.Field], inputs: LawInputs) -> Iterator[Law]:
     """Yield each field, declared to depend only on what its formulas contain."""
     for one in entries:
         used = {SIGHTS[name] for f in one.force for name in f.names & SIGHTS.keys()}
-        effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))
+        effect = replace(
+            one.effect, depends_on=tuple(s for s in one.effect.depends_on if s in used)
+        )
         yield Field(effect, one.force, inputs.values, Weight.of(one.bodies, one.per, inputs))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 NODES = 40
 """The number of points at which a force law is evaluated to integrate its potential energy."""
 
-DAMPED = replace(ELASTIC, sees=(*ELASTIC.sees, "velocity"))
+DAMPED = replace(ELASTIC, depends_on=(*ELASTIC.depends_on, "velocity"))
 """The declaration of the force of a spring with a damper."""
 
 

@@ -81,6 +81,6 @@ def _parts(settings: Any, name: str, switches: Switches) -> Iterator[tuple[Any, 
 
 
 def _switched(law: Law | VelocityRotation, switch: Switch) -> Law | VelocityRotation:
-    if law.effect.turns:
+    if law.effect.rotates_velocity:
         return SwitchedRotation(cast("VelocityRotation", law), switch)
     return SwitchedLaw(cast("Law", law), switch)

@@ -67,6 +67,8 @@ def laws(entries: Sequence[declared.Torque], inputs: LawInputs) -> Iterator[Law]
     """Yield each torque, declared to depend only on what its formula contains."""
     for one in entries:
         used = {SIGHTS[name] for name in one.torque.names & SIGHTS.keys()}
-        effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))
+        effect = replace(
+            one.effect, depends_on=tuple(s for s in one.effect.depends_on if s in used)
+        )
         turned = TorquePair.of(one.body, one.against, inputs)
         yield Torque(effect, one.torque, inputs.values, turned)

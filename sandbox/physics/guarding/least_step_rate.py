@@ -128,7 +128,7 @@ def damping_bounds(scene: Scene, row: int, present: Motion) -> Iterator[RateBoun
     law, if that is higher.
     """
     for law in scene.laws:
-        if law.effect.sees_velocity:
+        if law.effect.depends_on_velocity:
             motion = _with_terminal_speed(scene, law, row, Instant.of(present))
             nudge = NUDGE * max(float(np.hypot(*motion.velocity[row])), PROBE)
             slope = _slope(scene, law, row, motion, "velocity", nudge)

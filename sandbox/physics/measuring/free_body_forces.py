@@ -113,7 +113,9 @@ class FreeBodies:
         scene, row, center = self._scene, kick.row, kick.center
         if gravity := scene.gravity:
             x, y = gravity.acceleration
-            yield AppliedForce(gravity.effect.called, "", (kick.mass * x, kick.mass * y), center)
+            yield AppliedForce(
+                gravity.effect.shown_force_name, "", (kick.mass * x, kick.mass * y), center
+            )
         for entry, law in self._laws:
             at = getattr(entry, "at", None)
             arm = _lever_arm(evaluate(at, self._world.values), kick) if at else None
@@ -121,7 +123,7 @@ class FreeBodies:
             yield self._by_law(kick, law, arm)._replace(by=own_name)
         if (turning := kick.step.turning_acceleration) is not None:
             x, y = (kick.mass * turning[row]).tolist()
-            name = ", ".join(turn.effect.called for turn in scene.rotations)
+            name = ", ".join(turn.effect.shown_force_name for turn in scene.rotations)
             yield AppliedForce(name, "", (x, y), center)
         for name, spring in scene.joints.springs.items():
             acting = self._by_law(kick, spring, _joint_arm(spring.ends, kick))
@@ -139,12 +141,12 @@ class FreeBodies:
         wrench = np.zeros((len(self._names), 3))
         law.add(kick.law_motion, wrench)
         x, y, torque = wrench[kick.row].tolist()
-        return AppliedForce.of(law.effect.called, "", (x, y), torque, kick.center, arm)
+        return AppliedForce.of(law.effect.shown_force_name, "", (x, y), torque, kick.center, arm)
 
     def _force_name(self, joint: str) -> str:
         """Return the name of a joint's force; the joint of bodies that stuck has no name."""
         known = self._world.level.joints.get(joint)
-        return known.kind.pull if known else "reaction"
+        return known.kind.force_name if known else "reaction"
 
     def _contact_forces(
         self, kick: "_Kick", known: Sequence[AppliedForce]

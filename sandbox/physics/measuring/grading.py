@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from sandbox.model.events import Passage, crossed
+from sandbox.model.events import Passage, crossing_of
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import Check, ContactEvent, Instant, SeparationEvent
@@ -166,7 +166,7 @@ def time_of(at: Expression | Passage, trace: Trace) -> float | None:
     if isinstance(at, Expression):
         time = at(trace.values)
         return time if time <= trace.t[-1] * (1 + ROUNDING) else None
-    quantity, value, direction = crossed(at)
+    quantity, value, direction = crossing_of(at)
     column, level = trace.columns[quantity], value(trace.values)
     smooth, impacts = trace.smooth, trace.impacts
     return crossing(trace.t, column, level, direction, smooth=smooth, impacts=impacts)

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
-from sandbox.model.events import MOST_MEETINGS, Passage, crossed
+from sandbox.model.events import MOST_MEETINGS, Passage, crossing_of
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured
-from sandbox.model.quantities import TIME, base, quantity
+from sandbox.model.quantities import TIME, aggregated, quantity
 from sandbox.model.translatable_message import Message
 from sandbox.optional_packages import needed_for
 from sandbox.physics.energy.book_closure import Closing
@@ -152,11 +152,11 @@ class Recorder:
     def __init__(self, world: World, names: Iterable[str]) -> None:
         self._world = world
         requested = [quantity(name, world.level) for name in dict.fromkeys(names)]
-        self._aggregates = {q.name: q for q in requested if q.over_time}
-        plain = (quantity(base(q), world.level) if q.over_time else q for q in requested)
+        self._aggregates = {q.name: q for q in requested if q.aggregate}
+        plain = (quantity(aggregated(q), world.level) if q.aggregate else q for q in requested)
         wanted = {q.name: q for q in plain}.values()
-        self._from_ledger = {q.name: q for q in wanted if q.booked}
-        self._pair_forces = {q.name: q for q in wanted if q.between}
+        self._from_ledger = {q.name: q for q in wanted if q.needs_ledger}
+        self._pair_forces = {q.name: q for q in wanted if q.is_pair_force}
         separate = self._from_ledger.keys() | self._pair_forces.keys()
         self._meter = Meter(world, [q.name for q in wanted if q.name not in separate])
         self._ledger = Ledger(world) if self._from_ledger else None
@@ -253,7 +253,7 @@ class Recorder:
             stack = Snapshot.stack([*self._last, *self._unmeasured])
             columns = self._meter(stack)
             for name, found in self._meter.quantities.items():
-                if count and found.adds_up:
+                if count and found.is_integral:
                     columns[name] = columns[name] + self._measured[-1][1][name][-1]
             new_columns = {name: column[count:] for name, column in columns.items()}
             self._measured.append((stack.t[count:], new_columns))
@@ -280,7 +280,7 @@ class Recorder:
             rows = np.array(rows_so_far).reshape(self._count if names else 0, len(names))
             columns |= dict(zip(names, rows.T, strict=True))
         for name, found in self._aggregates.items():
-            columns[name] = over_time(found.over_time, t, columns[base(found)])
+            columns[name] = over_time(found.aggregate, t, columns[aggregated(found)])
         quantities = {
             **self._meter.quantities,
             **self._from_ledger,
@@ -345,4 +345,4 @@ def needed(level: Level) -> list[str]:
 
 def needed_at(quantity: str, at: Instant | None) -> list[str]:
     """Return a quantity and the one that locates an instant."""
-    return [quantity, crossed(at)[0]] if isinstance(at, Passage) else [quantity]
+    return [quantity, crossing_of(at)[0]] if isinstance(at, Passage) else [quantity]

@@ -43,7 +43,7 @@ class Meter:
         return {name: measure(snapshot) for name, measure in self._measurements.items()}
 
     def _bind(self, quantity: Quantity) -> Measurement:
-        if quantity.booked or quantity.between or quantity.over_time:
+        if quantity.needs_ledger or quantity.is_pair_force or quantity.aggregate:
             rule = Message(
                 "'{name}' is known only in a recording of the whole run", name=quantity.name
             )

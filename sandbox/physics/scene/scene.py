@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pymunk
 
-from sandbox.model.contact_solver_choice import is_direct, may_catch
+from sandbox.model.contact_solver_choice import has_one_sided_joints, is_direct
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.pymunk_bodies import make_body
@@ -210,7 +210,7 @@ def _make_joints(
 
 def _make_switches(level: Level, joints: Joints) -> "Switches":
     """Make the switches of forces, if the level has events."""
-    if not level.happens:
+    if not level.has_events:
         return {}
     from sandbox.physics.scene.force_switches import make_switches
 
@@ -221,7 +221,7 @@ def _solvers(
     context: BuildContext, pairs: Pairs
 ) -> "tuple[DirectSolver | None, Sequential | None]":
     """Make the solvers of contacts and of impacts in sequence; None where pymunk solves them."""
-    if not (context.level.effects.contact or may_catch(context.level, context.stepping)):
+    if not (context.level.effects.contact or has_one_sided_joints(context.level, context.stepping)):
         return None, None
     from sandbox.physics.scene.contact_setup import make_direct, make_sequence
 

@@ -86,7 +86,7 @@ def _angular_decay(law: Law, start: Motion, inverse_mass: Array) -> Array:
     """
     decay = np.zeros_like(inverse_mass)
     motion = Instant.of(start)
-    if not law.effect.twists:
+    if not law.effect.exerts_torque:
         return decay
 
     def change(faster: Array) -> Array:

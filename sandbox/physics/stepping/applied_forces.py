@@ -36,7 +36,7 @@ class Forces:
         self._turns = scene.rotations
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.inverse_mass
         self._bodies, self._warm_started = list(scene.bodies.values()), warm_started
-        sees_velocity = any(law.effect.sees_velocity for law in scene.laws)
+        sees_velocity = any(law.effect.depends_on_velocity for law in scene.laws)
         self._extrapolates = leapfrog and (sees_velocity or bool(scene.rotations))
         self._base_acceleration = np.zeros((len(self._bodies), 3))  # acceleration by gravity
         if scene.gravity:

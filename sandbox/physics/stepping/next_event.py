@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model.events import Crossing, SingleEvent, loads
+from sandbox.model.events import Crossing, SingleEvent, breaking_loads
 from sandbox.model.expressions import Array
 from sandbox.physics.events.breaking_at_impact import SUDDEN
 from sandbox.physics.events.switching_events import NEAR, Part, crosses, within
@@ -35,9 +35,9 @@ class EventFinder:
     def __init__(self, setup: Setup, pending: Mapping[str, SingleEvent]) -> None:
         level, self._scene, self._dt = setup.level, setup.scene, setup.kicks.clock.dt
         self._pending = pending
-        self._meter = Meter(setup, {h.waits.quantity for h in pending.values()} - {"t"})
-        breaking_loads = loads(level.joints, setup.values)
-        self._jump_limits = SUDDEN * np.array([breaking_loads.get(n, np.inf) for n in level.joints])
+        self._meter = Meter(setup, {h.trigger.quantity for h in pending.values()} - {"t"})
+        limits = breaking_loads(level.joints, setup.values)
+        self._jump_limits = SUDDEN * np.array([limits.get(n, np.inf) for n in level.joints])
         self.begin()
 
     def begin(self) -> None:

@@ -600,10 +600,10 @@ def test_no_run_of_a_search_is_taken_twice(monkeypatch: pytest.MonkeyPatch) -> N
         stepping: Stepping,
         wanted: Sequence[Watched],
         stop: Stop,
-        look_at: Callable[[Recorder], None] | None = None,
+        inspect: Callable[[Recorder], None] | None = None,
     ) -> Trace:
         taken.append(stepping.model_copy(update={"iterations": 1}))
-        return record(level, values, stepping, wanted, stop, inspect=look_at)
+        return record(level, values, stepping, wanted, stop, inspect=inspect)
 
     for module in (setting_search, refinement_search):
         monkeypatch.setattr(module, "record", noted)

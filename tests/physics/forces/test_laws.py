@@ -149,7 +149,7 @@ def test_only_what_damps_looks_at_velocities(law: Law, places: Array, velocity: 
     places = smooth(law, places)
     still, moving = wrench(law, instant(places)), wrench(law, instant(places, velocity))
 
-    assert law.effect.sees_velocity or np.array_equal(still, moving)
+    assert law.effect.depends_on_velocity or np.array_equal(still, moving)
 
 
 @pytest.mark.sweep

@@ -353,7 +353,7 @@ def test_every_force_that_there_is_is_in_the_diagram(name: str) -> None:
         diagrams = [FreeBodies(world).of(body) for body in BODIES]
         called = {acting.name for found in diagrams if found for acting in found.forces}
 
-        assert called == {EFFECTS[name].called}
+        assert called == {EFFECTS[name].shown_force_name}
         assert all(found and forces_off(found, world) < BOUND for found in diagrams)
 
 
@@ -379,7 +379,7 @@ def test_every_joint_that_there_is_is_in_the_diagram(kind: str) -> None:
     diagrams = list(filter(None, map(FreeBodies(world).of, "ab")))
     by = {acting.by: acting.name for found in diagrams for acting in found.forces}
 
-    assert by["tie"] == KINDS[kind].pull
+    assert by["tie"] == KINDS[kind].force_name
     assert all(forces_off(found, world) < BOUND for found in diagrams)
     assert all(torques_off(found, world) < BOUND for found in diagrams)
 

@@ -31,7 +31,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     ends = []
     words = forces_on_selection.texts(view.looking.told(view.world, found))
     for acting, (_, text) in zip(forces_on_selection.felt(found), words, strict=True):
-        if given and acting.name == Force.effect.called:
+        if given and acting.name == Force.effect.shown_force_name:
             continue
         share = min(scale, CUT * longest / acting.magnitude)
         x, y = start = view.camera.to_screen(acting.at)

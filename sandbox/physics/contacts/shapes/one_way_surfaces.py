@@ -22,7 +22,7 @@ from typing import NamedTuple
 import pymunk
 
 from sandbox.model.body import Body
-from sandbox.model.excluded_pairs import apart
+from sandbox.model.excluded_pairs import excluded_pairs
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import Arc as ArcShape
@@ -67,7 +67,7 @@ class Gates:
     ) -> None:
         self.reversed: frozenset[str] = frozenset()
         self._bodies = list(bodies.values())
-        names, never = list(bodies), apart(level)
+        names, never = list(bodies), excluded_pairs(level)
         self._gates = {
             row: _gate(level.bodies[name], row, values, skin)
             for row, name in enumerate(names)

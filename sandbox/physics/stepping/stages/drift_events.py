@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model.events import SingleEvent, happenings, loads
+from sandbox.model.events import SingleEvent, breaking_loads, events_by_name
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.impulse_propagation import reached_by_jerk
 from sandbox.physics.energy.step_record import StepRecord
@@ -67,10 +67,10 @@ class EventStage:
         self._kicks, self._forces, self._scene = setup.kicks, setup.forces, scene
         self._dt, self._leapfrog = setup.kicks.clock.dt, setup.leapfrog
         self._has_contacts = level.effects.contact is not None
-        found = happenings(level.events, level.joints, setup.values)
+        found = events_by_name(level.events, level.joints, setup.values)
         self._pending = {name: one for name, one in found.items() if name not in scene.event_times}
         self._finder = EventFinder(setup, self._pending)
-        self._breaking_loads = loads(level.joints, setup.values)
+        self._breaking_loads = breaking_loads(level.joints, setup.values)
         self._bounces = Bounces.of(scene, level, setup.values, self._breaking_loads, self._dt)
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
