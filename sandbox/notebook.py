@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.model.quantities import headed
+from sandbox.model.quantities import column_heading
 from sandbox.physics.measuring.recording import Trace
 
 if TYPE_CHECKING:
@@ -82,5 +82,5 @@ def _table(trace: Trace) -> str:
     """Return a trace as a table in HTML: its first and last rows."""
     title = f"<b>{escape(trace.level.title)}</b>: {len(trace.t):,} instants"
     frame = trace.to_pandas()
-    frame.columns = [headed(name, trace.units[name]) for name in frame.columns]
+    frame.columns = [column_heading(name, trace.units[name]) for name in frame.columns]
     return f"{title}{frame.to_html(max_rows=10)}"

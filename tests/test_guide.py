@@ -69,7 +69,7 @@ def test_its_challenge_begins_unsolved_and_is_solved_by_the_values_that_the_page
     assert played(level, {"speed": 11, "angle": 20}).stars == 0, "straight through the ring"
     assert shown == dict(level.challenge.solution)
     solved = played(level, shown)
-    assert solved.stars == solved.most == 2
+    assert solved.stars == solved.possible_stars == 2
 
 
 def test_the_wrong_formula_and_the_impact_that_is_not_located_fail_as_the_tutorial_says() -> None:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sandbox.model.events import tied
+from sandbox.model.events import tied_joints
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import Instant, Level, Stepping
@@ -179,7 +179,7 @@ def naive(level: Level) -> Level:
     exact = [joint for joint in level.joints.values() if is_exact(joint)]
     own = all(isinstance(joint, Own) and "t" not in names_in(joint) for joint in exact)
     joints = level.joints
-    if own and not (level.effects.sticking or tied(level.events)):
+    if own and not (level.effects.sticking or tied_joints(level.events)):
         joints = {
             name: joint.model_copy(update={"exact": False}) if isinstance(joint, Own) else joint
             for name, joint in joints.items()

@@ -22,7 +22,7 @@ from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.counted_step_cost import counted_cost
 from sandbox.physics.accuracy.exceptions import AccuracyError
-from sandbox.physics.accuracy.step_refinement import furthest, slowest
+from sandbox.physics.accuracy.step_refinement import largest_relative_difference, lowest_rate
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.scene.usable_schemes import usable
 from sandbox.physics.state.errors import SimulationError
@@ -118,11 +118,11 @@ def looked_at(level: Level, values: Values, setting: Setting) -> tuple[float, st
     wanted: Sequence[Watched] = watched(level, values)
     if "chaotic" in setting.judged_by:
         wanted = (Watched("system.energy"),)
-    best = record(level, values, finer, wanted, seen=max(chosen.rate, 240.0))
+    best = record(level, values, finer, wanted, observation_rate=max(chosen.rate, 240.0))
     wanted = scaled(wanted, best)
-    run = record(level, values, chosen, wanted, seen=inf)
+    run = record(level, values, chosen, wanted, observation_rate=inf)
     half = finer.model_copy(update={"rate": finer.rate / 2})
-    other = record(level, values, half, wanted, seen=max(chosen.rate, 240.0))
+    other = record(level, values, half, wanted, observation_rate=max(chosen.rate, 240.0))
     delivered = max(_off(run, (best, other), item) for item in wanted)
     return delivered, _cheaper(level, values, setting, wanted, best)
 
@@ -132,7 +132,7 @@ def _off(run: Trace, finer: Sequence[Trace], item: Watched) -> float:
 
     Rounding of forces grows with the rate, so that the finest run may be the one with the error.
     """
-    return min(furthest(run, trace, [item])[0] for trace in finer)
+    return min(largest_relative_difference(run, trace, [item])[0] for trace in finer)
 
 
 def _finer(level: Level, values: Values, chosen: Stepping) -> Stepping | None:
@@ -161,7 +161,7 @@ def _cheaper(
     chosen = setting.chosen.stepping
     enough = _work(level, values, chosen) / EXPENSIVE
     for scheme in usable(level):
-        least = slowest(chosen.model_copy(update={"scheme": scheme})) / BELOW
+        least = lowest_rate(chosen.model_copy(update={"scheme": scheme})) / BELOW
         lowest = chosen.rate / 2 ** floor(log2(chosen.rate / least))  # they must share instants
         for doublings in count():
             rate = lowest * 2**doublings
@@ -169,8 +169,8 @@ def _cheaper(
             if _work(level, values, tried) >= enough:
                 break
             with suppress(SimulationError):
-                run = record(level, values, tried, wanted, seen=inf)
-                if furthest(run, best, wanted)[0] <= setting.target:
+                run = record(level, values, tried, wanted, observation_rate=inf)
+                if largest_relative_difference(run, best, wanted)[0] <= setting.target:
                     return f"{scheme} at {rate:g} Hz"
     return ""
 

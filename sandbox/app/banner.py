@@ -78,7 +78,9 @@ class Banner:
             return self._compared(session)
         attempt = session.attempt()
         if attempt is not None and attempt.stars:
-            earned = say("{stars} of {most} stars", stars=attempt.stars, most=attempt.most)
+            earned = say(
+                "{stars} of {most} stars", stars=attempt.stars, most=attempt.possible_stars
+            )
             return say("{stars} – R restarts, F3 shows all challenges", stars=earned)
         when = formatting.seconds(session.duration)
         return say("Run complete at {when} – R restarts, Space goes on", when=when)

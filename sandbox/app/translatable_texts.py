@@ -72,11 +72,11 @@ def _of_the_window() -> Iterator[str]:
 def _of_the_physics() -> Iterator[str]:
     """Yield the names of effects, joints, forces and accounts, and of the studies' results."""
     for name, effect in EFFECTS.items():
-        yield from (name, effect.called, effect.booked)
+        yield from (name, effect.shown_force_name, effect.account_name)
         yield from effect.trial or ()
     for name, kind in KINDS.items():
-        yield from (name, kind.pull)
-        yield from (kind.force.name, kind.force.booked) if kind.force else ()
+        yield from (name, kind.force_name)
+        yield from (kind.force.name, kind.force.account_name) if kind.force else ()
     yield from kinds().values()
     yield from (NORMAL, FRICTION, IMPACT, HAND)
     yield from ledger_accounts.OTHERS

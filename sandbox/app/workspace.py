@@ -33,7 +33,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import without_links
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, load
-from sandbox.physics.measuring.recording import leans
+from sandbox.physics.measuring.recording import may_lean
 from sandbox.physics.state.errors import SimulationError
 
 TITLE = "Mechanics sandbox"
@@ -223,7 +223,7 @@ class Workspace:
             self.banner.tell(say("{file} plays again, with all of your actions", file=path.name))
         else:
             self._remember(path)
-        if leans(session.world):
+        if may_lean(session.world):
             message = later("The solver's iterations do not settle this pile: it may lean or fall")
             self.banner.tell(say(message))
 

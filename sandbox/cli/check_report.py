@@ -33,9 +33,10 @@ def challenge_lines(trace: Trace) -> Iterator[str]:
         measured = _value(outcome.measured, outcome.unit)
         rows.append((outcome.goal.label, measured, formatting.bounds(outcome), outcome.standing))
     yield from aligned(rows)
-    if found.altered:
-        yield f"no star counts, for what is locked was changed: {', '.join(found.altered)}"
-    yield f"challenge: {found.stars} of {found.most} stars"
+    if found.changed_parameters:
+        changed = ", ".join(found.changed_parameters)
+        yield f"no star counts, for what is locked was changed: {changed}"
+    yield f"challenge: {found.stars} of {found.possible_stars} stars"
 
 
 def worst(results: Iterable[Result]) -> float | None:

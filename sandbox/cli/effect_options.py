@@ -79,7 +79,7 @@ def differences(found: Sequence[Difference]) -> Iterator[str]:
 
 def row(difference: Difference) -> tuple[str, ...]:
     """Return the quantity, the two values, and their difference."""
-    values = (_number(v, difference.unit) for v in (difference.before, difference.after))
+    values = (_number(v, difference.unit) for v in (difference.first, difference.second))
     return (about(difference), *values, formatting.difference(difference))
 
 

@@ -15,7 +15,7 @@ from sandbox.model.level import Level
 from sandbox.model.levels_with_changed_effects import without
 from sandbox.model.loading import choose
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.measuring.run_comparison import Difference, differences, watched
+from sandbox.physics.measuring.run_comparison import Difference, compared_quantities, differences
 from sandbox.physics.run import costs, simulate
 
 _HEADER = ("effect", "changes most", "with it", "without it", "difference", "costs")
@@ -37,7 +37,7 @@ class Weight(NamedTuple):
     @property
     def share(self) -> float:
         """The size of the largest change."""
-        return float("inf") if self.worst is None else self.worst.share
+        return float("inf") if self.worst is None else self.worst.fraction
 
 
 def weigh(argument: str, pairs: Sequence[str]) -> None:
@@ -49,7 +49,7 @@ def weigh(argument: str, pairs: Sequence[str]) -> None:
         typer.echo(f"{source} declares no effect")
         return
     with Console(stderr=True).status(f"Weighing the effects of {source} ..."):
-        trace = simulate(level, values, record=watched(level))
+        trace = simulate(level, values, record=compared_quantities(level))
         found = [_weight(level, values, trace, effect) for effect in declared]
     ranked = sorted(found, key=lambda weight: -weight.share)
     for line in aligned([_HEADER, *map(_row, ranked)]):
@@ -66,7 +66,7 @@ def _weight(level: Level, values: Values, trace: Trace, effect: str) -> Weight:
         full, bare = costs((level, less), values)
     except SandboxError as error:
         return Weight(effect, gone, error=str(error))
-    worst = max(differences(trace, other, places=True), key=lambda found: found.share)
+    worst = max(differences(trace, other, positions=True), key=lambda found: found.fraction)
     return Weight(effect, gone, worst, full - bare)
 
 
@@ -75,7 +75,7 @@ def _row(weight: Weight) -> tuple[str, ...]:
     if worst is None:
         return weight.effect, "the level cannot run without it", "", "", "", ""
     cost = formatting.step_cost(weight.cost)
-    if not worst.share:
+    if not worst.fraction:
         return weight.effect, "nothing", "", "", formatting.NO_DIFFERENCE, cost
     return (weight.effect, *effect_options.row(worst), cost)
 

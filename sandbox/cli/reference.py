@@ -169,7 +169,9 @@ def all_quantities() -> str:
         (f"`.{form}`", f"that of the quantity{' · ' + factor if factor else ''}")
         for form, factor in quantities.OVER_TIME.items()
     )
-    accounts = ((n, _account(e.book, e.booked)) for n, e in EFFECTS.items() if e.book != "none")
+    accounts = (
+        (n, _account(e.book, e.account_name)) for n, e in EFFECTS.items() if e.book != "none"
+    )
     return _page(
         *(QUANTITIES, "", "## Bodies, the system, the time", ""),
         *_table(("quantity", "", "unit"), _of_bodies()),
@@ -189,7 +191,7 @@ def _of_bodies() -> Iterator[tuple[str, str, str]]:
     vectors = {one.name.removesuffix(".x") for one in every if one.component == "x"}
     for one in every:
         is_new = ("gate" in (one.subject, one.other)) is (one.attribute in OF_SENSORS)
-        if one.subject != "box" and is_new and one.component is None and not one.booked:
+        if one.subject != "box" and is_new and one.component is None and not one.needs_ledger:
             yield f"`{one.name}`", "vector" if one.name in vectors else "", one.unit
 
 

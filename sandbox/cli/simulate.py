@@ -17,8 +17,8 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
-from sandbox.physics.accuracy.compared_runs import lasting
-from sandbox.physics.advising.remedy_trials import creeping, leaning, tried
+from sandbox.physics.accuracy.compared_runs import at_least_lasting
+from sandbox.physics.advising.remedy_trials import creep_warning, leaning_warning, with_advice
 from sandbox.physics.measuring.csv_export import to_csv
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Trace, needed
@@ -49,7 +49,7 @@ def simulate(
     source, level = argument_parsing.open_level(argument)
     values = choose(level, settings)
     names = chosen(level, record)
-    asked = lasting(asking(level, accuracy, choice), values, duration)
+    asked = at_least_lasting(asking(level, accuracy, choice), values, duration)
     stepping = settled(asked, values, choice, names if record else ())
     varied = vary(level, off, on, stepping)
     if duration is not None:
@@ -84,7 +84,7 @@ def _run(
     try:
         return runs.simulate(level, values, duration, recorded, stepping, books=True)
     except SimulationError as error:
-        raise tried(error, level, values, stepping, duration) from error
+        raise with_advice(error, level, values, stepping, duration) from error
 
 
 def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
@@ -94,12 +94,12 @@ def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
 
 def _close(trace: Trace) -> None:
     """Print the run's energy balance, whether a pile may lean, and whether an impact was missed."""
-    if trace.leans:
-        typer.echo(f"contacts: {leaning(trace.level, trace.values, trace.stepping)}")
-    elif creeps := creeping(trace):
+    if trace.may_lean:
+        typer.echo(f"contacts: {leaning_warning(trace.level, trace.values, trace.stepping)}")
+    elif creeps := creep_warning(trace):
         typer.echo(f"contacts: {creeps}")
-    if trace.unseen:
-        rate, subject = trace.unseen[0]
+    if trace.missed_passages:
+        rate, subject = trace.missed_passages[0]
         typer.echo(
             f"contacts: {subject} moved further than its own width in a step, and may have passed"
             f" through others; impacts that are located, or {ceil(rate):,} Hz, miss none"

@@ -117,7 +117,9 @@ def _energy(visited: Visit) -> Text:
     """Return the unexplained share of the energy, coloured if it is too large."""
     if visited.closing is None:
         return Text("-")
-    return Text(f"{visited.closing.share:.1g}", "" if visited.closing.closes else "yellow")
+    return Text(
+        f"{visited.closing.unexplained_fraction:.1g}", "" if visited.closing.closes else "yellow"
+    )
 
 
 def _explain(visited: Visit) -> None:

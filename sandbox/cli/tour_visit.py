@@ -10,7 +10,7 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import load
-from sandbox.physics.advising.remedy_trials import tried
+from sandbox.physics.advising.remedy_trials import with_advice
 from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
@@ -75,4 +75,4 @@ def _run(level: Level) -> Trace:
     try:
         return simulate(level, books=True)
     except SimulationError as error:
-        raise tried(error, level, level.defaults, level.stepping) from error
+        raise with_advice(error, level, level.defaults, level.stepping) from error

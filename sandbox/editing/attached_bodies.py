@@ -8,7 +8,7 @@ from sandbox.editing.placed_bodies import PlacedBody, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.comments import read_level
 from sandbox.model.expressions import Expression
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import End, Held, Motor, Pivot, Rail, Rod, bodies_of, body_of, ends_of
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
@@ -51,7 +51,7 @@ def attached(text: str, before: Level, moved: Collection[str]) -> str:
             case Pivot() | Motor() | Rail():
                 changes |= _held_again(("joints", name), joint, moved, level, where)
             case Rod(length=length) if length is not None and not length.names:
-                a, b = (place(end, level.bodies, values) for end in joint.ends)
+                a, b = (end_position(end, level.bodies, values) for end in joint.ends)
                 changes["joints", name, "length"] = abs(b - a)
     return put_all(text, changes) if changes else text
 
@@ -69,7 +69,7 @@ def _held_again(
     if body_of(stays) in moved:
         return {}
     values = next(iter(where.values())).values
-    way = place(goes, level.bodies, values) - place(stays, level.bodies, values)
+    way = end_position(goes, level.bodies, values) - end_position(stays, level.bodies, values)
     if isinstance(joint, Rail):
         along = complex(*evaluate(joint.direction, values))
         way -= along * (way / along).real

@@ -13,7 +13,7 @@ from sandbox.editing.draft import Draft
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import data_folder, read_ordinary
 from sandbox.model.translatable_message import NOTHING, Message
-from sandbox.model.unsaved_files import UnsavedFile, delete, left
+from sandbox.model.unsaved_files import UnsavedFile, delete, leftovers
 
 LARGEST = 20_000_000
 """bytes, the largest file that is read; a larger one was not written by this program."""
@@ -122,7 +122,7 @@ def recoverable() -> list[Recoverable]:
 
 
 def _left() -> Iterator[Recoverable]:
-    for file in left(folder(), _ENDING):
+    for file in leftovers(folder(), _ENDING):
         with suppress(OSError, ValidationError):  # files of other programs are ignored
             yield Recoverable(
                 file, RecoveryFile.model_validate_json(read_ordinary(file, LARGEST) or b"")

@@ -102,7 +102,7 @@ def _quantity(text: str, level: Level, old: str, name: str) -> str:
 
 def _in_formulas(level: Level, old: str, name: str) -> Iterator[tuple[Path, str]]:
     for path, expression in expressions(level):
-        if old in expression.written:
+        if old in expression.names_written:
             yield path, renamed(str(expression.source), old, name)
 
 

@@ -43,7 +43,7 @@ def as_it_stands(world: World, *, anew: bool) -> str:
     `SandboxError` if no level can start from this state.
     """
     _refuse(world)
-    if world.scene.happened or (anew and world.level.events):
+    if world.scene.event_times or (anew and world.level.events):
         raise SandboxError("no level can start between its events")
     if not anew:
         _refuse_to_begin_late(world.level)
@@ -92,7 +92,7 @@ def _without_unused(text: str, level: Level) -> str:
 def _refuse(world: World) -> None:
     """Refuse changed masses, bodies that stuck together, and a slack string on a wheel."""
     level = world.level
-    flows = [e for e, _, _ in level.effects.said if e.changes_mass]
+    flows = [e for e, _, _ in level.effects.settings if e.changes_mass]
     if flows:
         raise SandboxError(
             "'{name}' has changed masses, and no level can start from that", name=flows[0].name

@@ -11,7 +11,7 @@ from math import floor, log10
 from typing import Literal, NamedTuple
 
 from sandbox.editing.placed_bodies import Core, PlacedBody, placed, xy
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY, Arc, Box, Curve, Polygon, Polyline, Segment
@@ -287,7 +287,7 @@ def _ends(level: Level, where: Mapping[str, PlacedBody]) -> Iterator[Target]:
         for _, end in ends_of(joint):
             if body_of(end) is None:
                 values = next(iter(where.values())).values
-                yield place(end, level.bodies, values), "end", ""
+                yield end_position(end, level.bodies, values), "end", ""
 
 
 def _on_grid(point: complex, step: float) -> complex:

@@ -39,7 +39,7 @@ def find(experiment: str) -> Path:
         refuse(
             brief(experiment),
             "is not an experiment{hint}",
-            hint=suggestion(experiment, names(), most=20),
+            hint=suggestion(experiment, names(), longest=20),
         )
     if not path.is_file():
         refuse(brief(experiment), "there is no such file")

@@ -125,6 +125,6 @@ def _rule(detail: ErrorDetails) -> Message:
     if detail["type"] == "extra_forbidden":
         keys = [f.alias or name for name, f in Experiment.model_fields.items()]
         name = str(detail["loc"][-1])
-        hint = suggestion(name, keys, most=len(keys))
+        hint = suggestion(name, keys, longest=len(keys))
         return Message("unknown key '{name}'{hint}", name=brief(name), hint=hint)
     return parse_messages.rule(detail)

@@ -15,7 +15,7 @@ from sandbox.experiments.result_statistics import Sensitivity
 from sandbox.experiments.results_table import axis_unit, closed_form
 from sandbox.experiments.saved_results import Results
 from sandbox.model.expressions import Array
-from sandbox.model.quantities import headed
+from sandbox.model.quantities import column_heading
 from sandbox.reporting.plot_style import COLOURS, FRAME, MARKERS, legend_below, style
 
 FAMILY = 8
@@ -98,8 +98,8 @@ def _curves(
             rows = here & (found.columns[family] == value) if family else here
             label = _named(plan, family, value) if family and value is not None else "measured"
             _curve(axes, plan, found, measure, along, rows, i, label)
-        axes.set_xlabel(headed(along, axis_unit(plan, along)))
-        axes.set_ylabel(headed(measure.text, measure.unit))
+        axes.set_xlabel(column_heading(along, axis_unit(plan, along)))
+        axes.set_ylabel(column_heading(measure.text, measure.unit))
         if isinstance(grid := plan.grids[along], Grid) and grid.scale == "log":
             axes.set_xscale("log")
             if measure.reduction == "error":
@@ -145,10 +145,10 @@ def _heat_map(
         _scales(axes, plan, names)
         if 1 in words:
             axes.set_yticks(np.arange(len(y)), [str(v) for v in y])
-        axes.set_xlabel(headed(names[0], axis_unit(plan, names[0])))
-        axes.set_ylabel(headed(names[1], axis_unit(plan, names[1])))
+        axes.set_xlabel(column_heading(names[0], axis_unit(plan, names[0])))
+        axes.set_ylabel(column_heading(names[1], axis_unit(plan, names[1])))
         bar = figure.colorbar(drawn, ax=axes)
-        bar.set_label(headed(measure.text, measure.unit))
+        bar.set_label(column_heading(measure.text, measure.unit))
         if (form := found.columns.get(closed_form(measure.text))) is not None and not words:
             _contours(axes, places, _cells(form[here], at, cells.shape), bar.get_ticks())
     return figure
@@ -197,15 +197,15 @@ def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
         if len(form):
             first.hist(form, edges, histtype="step", color="black", label="closed form")
             legend_below(figure, first)
-        first.set_xlabel(headed(measure.text, measure.unit))
+        first.set_xlabel(column_heading(measure.text, measure.unit))
         first.set_ylabel("runs")
         first.grid(visible=True)
         if single is not None:
             every = -(-len(column) // CLOUD)
             x = found.columns[single][::every]
             second[0].plot(x, column[::every], ".", markersize=2, color=COLOURS[0])
-            second[0].set_xlabel(headed(single, axis_unit(plan, single)))
-            second[0].set_ylabel(headed(measure.text, measure.unit))
+            second[0].set_xlabel(column_heading(single, axis_unit(plan, single)))
+            second[0].set_ylabel(column_heading(measure.text, measure.unit))
             second[0].grid(visible=True)
             if isinstance(axis := plan.drawn[single], Uniform) and axis.scale == "log":
                 second[0].set_xscale("log")

@@ -12,7 +12,7 @@ from sandbox.experiments.fitting import Fit, Fitted
 from sandbox.experiments.measured_data import Data
 from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
-from sandbox.model.quantities import headed, quantity
+from sandbox.model.quantities import column_heading, quantity
 from sandbox.reporting.html_pages import environment, inline
 from sandbox.reporting.plot_style import COLOURS, legend_below, style
 
@@ -66,8 +66,8 @@ def _picture(level: Level, data: Data, found: Fit, name: str) -> Figure:
             )
             axes.grid(visible=True)
         unit = quantity(name, level).unit
-        above.set_ylabel(headed(name, unit))
-        below.set_ylabel(headed("left over", unit))
+        above.set_ylabel(column_heading(name, unit))
+        below.set_ylabel(column_heading("left over", unit))
         below.set_xlabel("t [s]")
         legend_below(figure, above)
     return figure

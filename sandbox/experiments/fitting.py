@@ -120,7 +120,7 @@ def _residual(data: Data, name: str, model: Array) -> Array:
 def _check(level: Level, names: Sequence[str], data: Data) -> None:
     for name in names:
         if name not in level.parameters:
-            hint = suggestion(name, level.parameters, most=20)
+            hint = suggestion(name, level.parameters, longest=20)
             raise ValueRangeError(
                 "'{name}' is not a parameter of the level{hint}", name=brief(name), hint=hint
             )

@@ -39,7 +39,7 @@ def _faulty_axes(plan: Plan) -> Iterator[Fault]:
     for name, text in plan.experiment.vary.items():
         path = ("vary", name)
         if name not in known:
-            hint = suggestion(name, known, most=len(known))
+            hint = suggestion(name, known, longest=len(known))
             yield Fault(
                 path, "'{name}' is not a parameter of the level{hint}", name=brief(name), hint=hint
             )

@@ -3,7 +3,7 @@
 from collections import Counter
 
 from sandbox.model.effects.contact import Contact
-from sandbox.model.events import cut, tied
+from sandbox.model.events import cut_joints, tied_joints
 from sandbox.model.joints import (
     Held,
     OneSided,
@@ -97,7 +97,7 @@ def may_be_direct(level: Level) -> bool:
     return not left and not (friction and friction.located)
 
 
-def may_catch(level: Level, stepping: Stepping | None = None) -> bool:
+def has_one_sided_joints(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether one-sided joints of a level without contacts may catch: ropes, windings, stops.
 
     These include strings that share a body with another exact joint, but not stops that rebound.
@@ -120,7 +120,7 @@ def is_alone(name: str, level: Level) -> bool:
     not alone if an event cuts or ties it, or if it may break.
     """
     joint = level.joints[name]
-    if not isinstance(joint, Pulley) or is_direct(level) or may_catch(level):
+    if not isinstance(joint, Pulley) or is_direct(level) or has_one_sided_joints(level):
         return False
     return name in _lone_strings(level)
 
@@ -129,7 +129,7 @@ def _lone_strings(level: Level) -> set[str]:
     """Return the plain strings over pegs that share no moving body with another exact joint."""
     exact = (joint for joint in level.joints.values() if is_exact(joint))
     counts = Counter(body for joint in exact for body in set(bodies_of(joint)))
-    changed, found = cut(level.events, level.joints) | tied(level.events), set()
+    changed, found = cut_joints(level.events, level.joints) | tied_joints(level.events), set()
     for name, joint in level.joints.items():
         if not isinstance(joint, Pulley) or name in changed:
             continue

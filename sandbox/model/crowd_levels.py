@@ -126,9 +126,9 @@ def cluster(count: int) -> Document:
     )
 
 
-def _disc(place: tuple[float, float], **rest: object) -> Document:
+def _disc(position: tuple[float, float], **rest: object) -> Document:
     shape = {"type": "disc", "radius": RADIUS}
-    return {"shape": shape, "mass": 1, "position": list(place), **rest}
+    return {"shape": shape, "mass": 1, "position": list(position), **rest}
 
 
 def _walls(corners: Sequence[Sequence[float]], **rest: object) -> Document:
@@ -147,16 +147,16 @@ class Crowd(NamedTuple):
     """A kind of scene of many bodies."""
 
     make: Callable[[int], Document]
-    most: int
+    maximum: int
     """the largest number of bodies"""
-    least: int = 1
+    minimum: int = 1
 
 
 CROWDS: Mapping[str, Crowd] = {
     "gas": Crowd(gas, MAX_BODIES - 1),
     "pile": Crowd(pile, 5000),
     "chain": Crowd(chain, 300),
-    "cluster": Crowd(cluster, 1000, least=2),
+    "cluster": Crowd(cluster, 1000, minimum=2),
 }
 """The kinds of crowd. To release the memory of a pile, pymunk takes a time that grows faster than
 the square of its size: 2 s for 5,000 discs, more than half a minute for 10,000. The joints of a

@@ -83,30 +83,30 @@ def closest(name: str, known: Iterable[str]) -> str | None:
     name = name[:LONGEST].casefold()
     found = (
         *get_close_matches(name, choices, n=1, cutoff=TYPED),
-        *called(name, choices),
+        *synonyms(name, choices),
         *get_close_matches(name, choices, n=1, cutoff=ALIKE),
     )
     return choices[found[0]] if found else None
 
 
-def meant(name: str, known: Iterable[str]) -> Message:
+def did_you_mean(name: str, known: Iterable[str]) -> Message:
     """Return "; did you mean 'x'?" if a known name resembles the given one, else nothing."""
     close = closest(name, known)
     return Message("; did you mean '{close}'?", close=close) if close else NOTHING
 
 
-def suggestion(name: str, known: Iterable[str], *, most: int = 8) -> Message:
+def suggestion(name: str, known: Iterable[str], *, longest: int = 8) -> Message:
     """Return the end of a message: the name that was probably meant, or all possible names."""
     choices = sorted(known)
-    if hint := meant(name, choices):
+    if hint := did_you_mean(name, choices):
         return hint
     if not choices:
         return Message("; there are none")
-    shown = ", ".join(choices[:most]) + (", …" if len(choices) > most else "")
+    shown = ", ".join(choices[:longest]) + (", …" if len(choices) > longest else "")
     return Message("; known: {shown}", shown=shown)
 
 
-def called(word: str, known: Collection[str]) -> Iterator[str]:
+def synonyms(word: str, known: Collection[str]) -> Iterator[str]:
     """Yield the known names that a word stands for, such as `disc` for `circle`.
 
     Of a quantity, such as `ball.x`, the part after the last dot is the word.

@@ -60,14 +60,14 @@ class Mistake:
     def message(self) -> Message:
         """The whole mistake in one line, which can be translated."""
         place = f"{self.source}:{self.line}:{self.column}" if self.line else self.source
-        return Message("{place}: {told}", place=place, told=self.told)
+        return Message("{place}: {told}", place=place, told=self.unplaced)
 
     @property
-    def told(self) -> Message:
+    def unplaced(self) -> Message:
         """The mistake without its position in a file."""
-        told = Message("{rule} (found {value})", rule=self.rule, value=self.value)
-        told = told if self.value else self.rule
-        return Message("{path}: {told}", path=self.path, told=told) if self.path else told
+        text = Message("{rule} (found {value})", rule=self.rule, value=self.value)
+        text = text if self.value else self.rule
+        return Message("{path}: {told}", path=self.path, told=text) if self.path else text
 
 
 class LevelError(SandboxError):
@@ -91,7 +91,7 @@ class ValueRangeError(MisuseError):
     """A parameter that the level does not have, or a value that it cannot have."""
 
 
-def brief(text: str, most: int = 60) -> str:
+def brief(text: str, longest: int = 60) -> str:
     """Return content of a file, fit for a message: on one line, printable, and not too long."""
-    shown = text if len(text) <= most else f"{text[: most - 1]}…"
+    shown = text if len(text) <= longest else f"{text[: longest - 1]}…"
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in shown)

@@ -27,9 +27,9 @@ MOST_MEETINGS = 100
 """The most contacts and separations of two bodies that can be counted."""
 
 
-def _counted(said: object) -> object:
+def _counted(text: object) -> object:
     """Return a quoted number as a number, as results from substituting an index."""
-    return int(said) if isinstance(said, str) and said.isdecimal() and len(said) < 5 else said
+    return int(text) if isinstance(text, str) and text.isdecimal() and len(text) < 5 else text
 
 
 Nth = Annotated[int, BeforeValidator(_counted), Field(ge=1, le=MOST_MEETINGS)]
@@ -94,7 +94,7 @@ Passage = CrossingEvent | ApexEvent | LandingEvent
 """An event at which a quantity crosses a value."""
 
 
-def crossed(at: Passage) -> tuple[str, Expression, Literal["up", "down", "either"]]:
+def crossing_of(at: Passage) -> tuple[str, Expression, Literal["up", "down", "either"]]:
     """Return the quantity that crosses a value at an event, the value, and the direction."""
     match at:
         case ApexEvent():
@@ -160,7 +160,7 @@ class Event(Model):
     """the one-way surfaces to reverse; a body that is in one at that time passes through"""
 
     @property
-    def acts(self) -> bool:
+    def has_action(self) -> bool:
         """Whether it has any action."""
         return any(getattr(self, action) for action in ACTIONS)
 
@@ -176,7 +176,7 @@ class Crossing(NamedTuple):
 class SingleEvent(NamedTuple):
     """An event that happens once: its trigger, and what it cuts, ties, switches and reverses."""
 
-    waits: Crossing
+    trigger: Crossing
     cut: tuple[str, ...] = ()
     tie: tuple[str, ...] = ()
     on: tuple[str, ...] = ()
@@ -184,25 +184,27 @@ class SingleEvent(NamedTuple):
     reverse: tuple[str, ...] = ()
 
 
-def happenings(
+def events_by_name(
     events: Mapping[str, Event], joints: Mapping[str, Joint], values: Values
 ) -> dict[str, SingleEvent]:
     """Return the events of a level, including those of joints that break."""
-    found = {
+    single_events = {
         name: SingleEvent(_crossing(event.at, values), *(getattr(event, a) for a in ACTIONS))
         for name, event in events.items()
     }
-    for joint, load in loads(joints, values).items():
-        found[breaking(joint)] = SingleEvent(Crossing(f"{joint}.tension", load, "beyond"), (joint,))
-    return found
+    for joint, load in breaking_loads(joints, values).items():
+        single_events[breaking_event(joint)] = SingleEvent(
+            Crossing(f"{joint}.tension", load, "beyond"), (joint,)
+        )
+    return single_events
 
 
-def breaking(joint: str) -> str:
+def breaking_event(joint: str) -> str:
     """Return the name of the event in which a joint breaks; no other event can have it."""
     return f"{joint} breaks"
 
 
-def loads(joints: Mapping[str, Joint], values: Values) -> dict[str, float]:
+def breaking_loads(joints: Mapping[str, Joint], values: Values) -> dict[str, float]:
     """Return the force at which each breakable joint breaks [N]."""
     return {name: load(values) for name, load in breakable(joints)}
 
@@ -218,32 +220,32 @@ def _crossing(at: Trigger, values: Values) -> Crossing:
     """Return the crossing that triggers an event; a time is a crossing of `t`."""
     if isinstance(at, Expression):
         return Crossing("t", at(values), "up")
-    quantity, value, direction = crossed(at)
+    quantity, value, direction = crossing_of(at)
     return Crossing(quantity, value(values), direction)
 
 
-def cut(events: Mapping[str, Event], joints: Mapping[str, Joint]) -> frozenset[str]:
+def cut_joints(events: Mapping[str, Event], joints: Mapping[str, Joint]) -> frozenset[str]:
     """Return the joints that are cut by an event, or that may break."""
-    named = {name for event in events.values() for name in event.cut}
-    return frozenset(named.union(name for name, _ in breakable(joints)))
+    cut_by_events = {name for event in events.values() for name in event.cut}
+    return frozenset(cut_by_events.union(name for name, _ in breakable(joints)))
 
 
-def bouncing(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Fraction]]:
+def rebounding_stops(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Fraction]]:
     """Yield the stops that rebound, with their coefficients of restitution."""
     for name, joint in joints.items():
         if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
             yield name, joint.restitution
 
 
-def beside_bouncing(joints: Mapping[str, Joint], events: Mapping[str, Event]) -> list[str]:
+def stops_without_rebound(joints: Mapping[str, Joint], events: Mapping[str, Event]) -> list[str]:
     """Return the ropes and stops that do not rebound, if others do; not those that are tied later.
 
     Both may be reached within the same step, so both are located in the same way.
     """
-    others = {name for name, _ in bouncing(joints)}
+    others = {name for name, _ in rebounding_stops(joints)}
     if not others:
         return []
-    others |= tied(events)
+    others |= tied_joints(events)
     return [
         name
         for name, joint in joints.items()
@@ -251,6 +253,6 @@ def beside_bouncing(joints: Mapping[str, Joint], events: Mapping[str, Event]) ->
     ]
 
 
-def tied(events: Mapping[str, Event]) -> frozenset[str]:
+def tied_joints(events: Mapping[str, Event]) -> frozenset[str]:
     """Return the joints that an event ties; they are open until then."""
     return frozenset(name for event in events.values() for name in event.tie)

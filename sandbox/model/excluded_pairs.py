@@ -10,11 +10,11 @@ Pair = tuple[str, str]
 """Two bodies, in the order of their names."""
 
 
-def apart(level: Level) -> frozenset[Pair]:
+def excluded_pairs(level: Level) -> frozenset[Pair]:
     """Return the pairs of bodies that never collide, if at least one of them can move."""
-    moving = {name for name, body in level.bodies.items() if body.type == "dynamic"}
+    movable = {name for name, body in level.bodies.items() if body.type == "dynamic"}
     pairs = ((min(pair), max(pair)) for pair in _pairs(level))
-    return frozenset((a, b) for a, b in pairs if a in moving or b in moving)
+    return frozenset((a, b) for a, b in pairs if a in movable or b in movable)
 
 
 def _pairs(level: Level) -> Iterator[Pair]:

@@ -44,7 +44,7 @@ class Expression:
     """The variables in addition to the parameters, such as the time ``t``."""
 
     source: float | str
-    written: frozenset[str]
+    names_written: frozenset[str]
     """The names in its text."""
     names: frozenset[str]
     """The parameters and variables that its value depends on, with constants resolved."""
@@ -59,27 +59,27 @@ class Expression:
         self.source = source if isinstance(source, str) else _number(source)
         self._defined = ()
         if isinstance(self.source, str):
-            self._code, self.written = compiled(self.source)
-            self.names = self.written
-            self._constant = None if self.written else self._finite(self._evaluate({}))
+            self._code, self.names_written = compiled(self.source)
+            self.names = self.names_written
+            self._constant = None if self.names_written else self._finite(self._evaluate({}))
         else:
-            self._code, self.written, self.names = None, frozenset(), frozenset()
+            self._code, self.names_written, self.names = None, frozenset(), frozenset()
             self._constant = self._finite(self.source)
 
     def define(self, constants: Mapping[str, "Expression"]) -> None:
         """Define names in its text as constants, each after those that it uses."""
-        names, used = set(self.written), list[tuple[str, Expression]]()
+        names, used = set(self.names_written), list[tuple[str, Expression]]()
         for name, constant in reversed([*constants.items()]):
             if name in names:
-                names |= constant.written
+                names |= constant.names_written
                 used.append((name, constant))
-        self.taking(tuple(reversed(used)))
+        self.with_constants(tuple(reversed(used)))
 
-    def taking(self, defined: "Definitions") -> Self:
+    def with_constants(self, constants: "Definitions") -> Self:
         """Return itself, with the values of constants computed before its own."""
-        names = self.written.union(*(constant.written for _, constant in defined))
-        self.names = names.difference(name for name, _ in defined)
-        self._defined = defined
+        names = self.names_written.union(*(constant.names_written for _, constant in constants))
+        self.names = names.difference(name for name, _ in constants)
+        self._defined = constants
         return self
 
     def __call__(self, values: Values) -> float:
@@ -111,18 +111,18 @@ class Expression:
     def _finite(self, result: Any) -> float:  # noqa: ANN401 (a float or an array)
         value = float(result)
         if not isfinite(value):
-            told = Message("is {value:g}, not a finite number", value=value)
+            text = Message("is {value:g}, not a finite number", value=value)
         elif not self._holds(value):
-            told = Message("is {value:g}, but must be {rule}", value=value, rule=self.rule)
-        elif beyond := self.beyond(value):
-            given = f"{value:g}{self._unit}"
-            told = Message("is {given}, {beyond}", given=given, beyond=beyond)
+            text = Message("is {value:g}, but must be {rule}", value=value, rule=self.rule)
+        elif fault := self.range_fault(value):
+            shown_value = f"{value:g}{self._unit}"
+            text = Message("is {given}, {beyond}", given=shown_value, beyond=fault)
         else:
             return value
-        raise ExpressionError("{shown}{told}", shown=self._shown, told=told)
+        raise ExpressionError("{shown}{told}", shown=self._shown, told=text)
 
     @classmethod
-    def beyond(cls, value: float) -> Message:
+    def range_fault(cls, value: float) -> Message:
         """Say that a value is too large or too small for computation; empty if it is not."""
         unit = f" {cls.unit}" if cls.unit else ""
         if not abs(value) <= cls.most:
@@ -211,7 +211,7 @@ Definitions = tuple[tuple[str, Expression], ...]
 
 def _restored(kind: type[Expression], source: str, defined: Definitions) -> Expression:
     """Return an unpickled expression, with its constants."""
-    return kind(source).taking(defined)
+    return kind(source).with_constants(defined)
 
 
 class Positive(Expression):

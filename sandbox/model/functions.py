@@ -24,8 +24,8 @@ class Function(Expression):
         """Return the derivative by a variable; raise `ExpressionError` if nested too deeply."""
         derived = object.__new__(Function)
         derived.source, derived._constant = f"d({self.source})/d{variable}", None
-        derived._code, derived.written = differentiated(str(self.source), variable)
-        return derived.taking(self._defined)
+        derived._code, derived.names_written = differentiated(str(self.source), variable)
+        return derived.with_constants(self._defined)
 
     @property
     def is_smooth(self) -> bool:

@@ -12,7 +12,7 @@ from sandbox.model.joints import End, Held, Joint, body_of, points
 from sandbox.model.shapes import Point, evaluate
 
 
-def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
+def end_position(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
     """Return the position of a joint's end at the start, as x + iy [m]."""
     body = body_of(end)
     if body is None:
@@ -25,5 +25,5 @@ def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
 
 def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
     """Return the distance between a joint's ends at the start [m]."""
-    path = [place(end, bodies, values) for end in points(joint)]
+    path = [end_position(end, bodies, values) for end in points(joint)]
     return fsum(abs(b - a) for a, b in pairwise(path))

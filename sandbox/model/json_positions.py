@@ -139,7 +139,7 @@ class Origin:
             path = path[:-1]
         return self.values[path]
 
-    def place(self, path: Path) -> str:
+    def location(self, path: Path) -> str:
         """Return the file, line, column and path of a part, for the beginning of a message."""
         line, column = position(self.text, self.nearest(path).start)
         return f"{self.source}:{line}:{column}: {'.'.join(brief(str(step)) for step in path)}"

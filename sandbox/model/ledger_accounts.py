@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from sandbox.model.effects.contact import Contact
 from sandbox.model.effects.contract import Book
-from sandbox.model.events import tied
+from sandbox.model.events import tied_joints
 from sandbox.model.joints import Joint, Spring, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
@@ -25,14 +25,14 @@ def potentials(level: Level) -> tuple[str, ...]:
 
 def works(level: Level) -> tuple[str, ...]:
     """Return the accounts of work: effects, kinematic bodies, joints and switches."""
-    found = [*_effects(level, "work"), *_forces(level, "work")]
+    accounts = [*_effects(level, "work"), *_forces(level, "work")]
     if any(body.type == "kinematic" for body in level.bodies.values()):
-        found.append("bodies")
+        accounts.append("bodies")
     if any(drives(joint, level) for joint in level.joints.values()):
-        found.append("joints")
+        accounts.append("joints")
     if switched(level):
-        found.append("events")
-    return tuple(dict.fromkeys(found))
+        accounts.append("events")
+    return tuple(dict.fromkeys(accounts))
 
 
 def losses(level: Level) -> tuple[str, ...]:
@@ -40,36 +40,36 @@ def losses(level: Level) -> tuple[str, ...]:
 
     A rope that becomes taut with a jerk counts as an impact, and so does a joint that is tied.
     """
-    found, joints = [*_effects(level, "loss"), *_forces(level, "loss")], level.joints.values()
-    if any(joint.kind.goes_slack for joint in joints) or _catches(level):
-        found.append(Contact.effect.booked)
+    accounts, joints = [*_effects(level, "loss"), *_forces(level, "loss")], level.joints.values()
+    if any(joint.kind.goes_slack for joint in joints) or _ties_joints(level):
+        accounts.append(Contact.effect.account_name)
     if any(isinstance(joint, Spring) and damps(joint) for joint in joints):
-        found.append("damping")
-    return tuple(dict.fromkeys(found))
+        accounts.append("damping")
+    return tuple(dict.fromkeys(accounts))
 
 
-def _catches(level: Level) -> bool:
+def _ties_joints(level: Level) -> bool:
     """Whether an event ties an exact joint, which stops moving bodies."""
-    held = (level.joints.get(name) for name in tied(level.events))
-    return any(joint is not None and not joint.kind.force for joint in held)
+    ties = (level.joints.get(name) for name in tied_joints(level.events))
+    return any(joint is not None and not joint.kind.force for joint in ties)
 
 
-def outside(level: Level) -> tuple[str, ...]:
+def external_accounts(level: Level) -> tuple[str, ...]:
     """Return the external accounts of momentum; `supports` is what bodies and joints rest on."""
-    found = [e.name for e in level.effects.declarations if e.is_force and not e.inside]
-    found += [joint.kind.force.name for joint in level.joints.values() if joint.kind.force]
+    accounts = [e.name for e in level.effects.declarations if e.is_force and not e.is_internal]
+    accounts += [joint.kind.force.name for joint in level.joints.values() if joint.kind.force]
     if level.effects.contact or any(not j.kind.force for j in level.joints.values()):
-        found.append("supports")
-    return tuple(dict.fromkeys(found))
+        accounts.append("supports")
+    return tuple(dict.fromkeys(accounts))
 
 
 def _effects(level: Level, book: Book) -> Iterator[str]:
-    return (e.booked for e, _, one in level.effects.said if e.book_of(one) == book)
+    return (e.account_name for e, _, one in level.effects.settings if e.book_of(one) == book)
 
 
 def _forces(level: Level, book: Book) -> Iterator[str]:
     forces = (joint.kind.force for joint in level.joints.values())
-    return (force.booked for force in forces if force and force.book == book)
+    return (force.account_name for force in forces if force and force.book == book)
 
 
 def drives(joint: Joint, level: Level) -> bool:

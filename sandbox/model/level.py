@@ -24,7 +24,7 @@ from sandbox.model.base import Model, Name
 from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.challenge import Challenge
 from sandbox.model.effects import Effects
-from sandbox.model.events import MOST_EVENTS, Event, bouncing, breakable
+from sandbox.model.events import MOST_EVENTS, Event, breakable, rebounding_stops
 from sandbox.model.events import ApexEvent as ApexEvent
 from sandbox.model.events import ContactEvent as ContactEvent
 from sandbox.model.events import CrossingEvent as CrossingEvent
@@ -226,14 +226,14 @@ class Level(Model):
         """The origin of that text, such as a file; empty if there is none."""
         return self._origin.source if self._origin else ""
 
-    def place(self, path: Path) -> str:
+    def location(self, path: Path) -> str:
         """Return the place of a part as at the beginning of messages; without a text, its path."""
-        return self._origin.place(path) if self._origin else ".".join(map(str, path))
+        return self._origin.location(path) if self._origin else ".".join(map(str, path))
 
     @property
-    def happens(self) -> bool:
+    def has_events(self) -> bool:
         """Whether anything may happen in a run: an event, a breaking joint, a rebounding stop."""
-        of_joints = chain(breakable(self.joints), bouncing(self.joints))
+        of_joints = chain(breakable(self.joints), rebounding_stops(self.joints))
         return bool(self.events) or any(True for _ in of_joints)
 
     @property

@@ -4,7 +4,7 @@ import os
 from functools import cache
 from pathlib import Path
 
-from sandbox.model.did_you_mean import meant, suggestion
+from sandbox.model.did_you_mean import did_you_mean, suggestion
 from sandbox.model.errors import MisuseError, brief
 from sandbox.model.json_document import refuse
 from sandbox.model.translatable_message import Message
@@ -94,7 +94,7 @@ def find(level: str) -> Path:
     if level.endswith(".json"):
         if os.path.lexists(level):  # such as a folder or a broken link, which the reader refuses
             return Path(level)
-        hint = meant(Path(level).stem, _endings(known))
+        hint = did_you_mean(Path(level).stem, _endings(known))
         refuse(brief(level), "there is no such file{hint}", hint=hint)
     ending = [other for other in known if other.endswith(f"/{name}")]
     if not ending:

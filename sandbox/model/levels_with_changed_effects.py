@@ -137,7 +137,7 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     `EffectError` if there is no such effect or setting, or it contradicts the level.
     """
     if effect not in Effects.model_fields:
-        hint = suggestion(effect, Effects.model_fields, most=20)
+        hint = suggestion(effect, Effects.model_fields, longest=20)
         raise EffectError("unknown effect '{name}'{hint}", name=brief(effect), hint=hint)
     declared = effect in level.effects.declared
     if declared and not settings:

@@ -18,7 +18,7 @@ from pydantic_core import ErrorDetails
 
 from sandbox.model import parse_messages
 from sandbox.model.comments import without_comments
-from sandbox.model.did_you_mean import meant
+from sandbox.model.did_you_mean import did_you_mean
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
 from sandbox.model.expression_compiler import MAX_LENGTH
 from sandbox.model.expressions import Values
@@ -209,7 +209,7 @@ def _wrong_value(level: Level, name: str, value: float) -> Message | None:
         return Message(
             "unknown parameter '{name}'{hint} (there are: {known})",
             name=brief(name),
-            hint=meant(name, level.parameters),
+            hint=did_you_mean(name, level.parameters),
             known=known or Message("none"),
         )
     if not isfinite(value):

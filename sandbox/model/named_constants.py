@@ -19,7 +19,7 @@ def let_use(formulas: Iterable[Expression], constants: Mapping[str, Expression])
         return
     ordered = {name: constants[name] for name in _ordered(constants)}
     for expression in formulas:
-        if expression.written:
+        if expression.names_written:
             expression.define(ordered)
 
 
@@ -35,5 +35,5 @@ def circle(constants: Mapping[str, Expression]) -> list[str]:
 
 def _ordered(constants: Mapping[str, Expression]) -> list[str]:
     """Return the names in an order in which each uses only those before it."""
-    uses = {name: sorted(c.written & constants.keys()) for name, c in constants.items()}
+    uses = {name: sorted(c.names_written & constants.keys()) for name, c in constants.items()}
     return list(TopologicalSorter(uses).static_order())

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic_core import ErrorDetails
 
-from sandbox.model.did_you_mean import closest, meant, suggestion
+from sandbox.model.did_you_mean import closest, did_you_mean, suggestion
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.errors import brief
 from sandbox.model.joints import ENDS, KINDS
@@ -168,7 +168,7 @@ def _choice(detail: ErrorDetails) -> Message:
     if detail["type"] == "union_tag_invalid":
         tag = context["tag"]
         return Message("unknown type '{tag}'{hint}", tag=brief(tag), hint=suggestion(tag, choices))
-    hint = meant(detail["input"], choices) if isinstance(detail["input"], str) else NOTHING
+    hint = did_you_mean(detail["input"], choices) if isinstance(detail["input"], str) else NOTHING
     return Message("must be {choices}{hint}", choices=_listed(context["expected"]), hint=hint)
 
 
@@ -185,7 +185,9 @@ def _unknown(name: str, loc: tuple[int | str, ...], whole: type) -> Message:
     known = [field.alias or key for fields in models for key, field in fields.items()]
     if len(loc) == 1:
         known.append(GROUPS)  # written out by now
-    hint = _elsewhere(name, loc, known) or (suggestion(name, known, most=20) if known else NOTHING)
+    hint = _elsewhere(name, loc, known) or (
+        suggestion(name, known, longest=20) if known else NOTHING
+    )
     if loc[:-1] == ("effects",):
         return Message("unknown effect '{name}'{hint}", name=brief(name), hint=hint)
     return Message("unknown key '{name}'{hint}", name=brief(name), hint=hint)

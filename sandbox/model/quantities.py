@@ -110,28 +110,28 @@ class Quantity:
     """The SI unit."""
     other: str = ""
     """The second body or the point; empty if there is none."""
-    over_time: str = ""
+    aggregate: str = ""
     """The aggregate since the start, one of `OVER_TIME`; empty for the current value."""
 
     @property
-    def adds_up(self) -> bool:
+    def is_integral(self) -> bool:
         """Whether it is an integral over time, from the start of a run."""
         return self.attribute == "action"
 
     @property
-    def booked(self) -> bool:
+    def needs_ledger(self) -> bool:
         """Whether it needs a ledger that has seen every step."""
         return self.attribute.partition(".")[0] in _BOOKS
 
     @property
-    def between(self) -> bool:
+    def is_pair_force(self) -> bool:
         """Whether it is a contact force of two bodies, which a single state does not determine."""
         return bool(self.other) and self.attribute in _OF_CONTACT
 
     @property
-    def momentary(self) -> bool:
+    def is_momentary(self) -> bool:
         """Whether it follows from a single state of the bodies and joints."""
-        return not (self.booked or self.adds_up or self.between or self.over_time)
+        return not (self.needs_ledger or self.is_integral or self.is_pair_force or self.aggregate)
 
 
 TIME = Quantity("t", "time", "t", "t", None, "s")
@@ -152,10 +152,10 @@ def quantities(level: Level) -> Iterator[Quantity]:
     yield from _of_accounts(level)
 
 
-def momentary(level: Level) -> Iterator[Quantity]:
+def momentary_quantities(level: Level) -> Iterator[Quantity]:
     """Yield the quantities that follow from a single state, without the time."""
     for found in chain(quantities(level), mutual(level)):
-        if found.momentary and found is not TIME:
+        if found.is_momentary and found is not TIME:
             yield found
 
 
@@ -167,11 +167,11 @@ def quantity(name: str, level: Level) -> Quantity:
     """
     if name == TIME.name:
         return TIME
-    whole, _, what = name.rpartition(".")
-    if what in OVER_TIME and whole:
-        if (inner := whole.rpartition("."))[0] and inner[2] in OVER_TIME:
-            raise _timeless(name, whole, what)
-        return _over_time(quantity(whole, level), what)
+    prefix, _, aggregate = name.rpartition(".")
+    if aggregate in OVER_TIME and prefix:
+        if (inner := prefix.rpartition("."))[0] and inner[2] in OVER_TIME:
+            raise _no_aggregate(name, prefix, aggregate)
+        return _over_time(quantity(prefix, level), aggregate)
     owners = _owners(level)
     subject, dot, rest = name.partition(".")
     if subject not in owners:
@@ -187,22 +187,22 @@ def quantity(name: str, level: Level) -> Quantity:
         found += _of_two(subject, rest, level)
     known = {quantity.name: quantity for quantity in found}
     if name not in known:
-        followed = [f"{whole}.{form}" for form in OVER_TIME if whole in known]
-        hint = suggestion(name, [*known, *followed], most=len(known))
+        followed = [f"{prefix}.{form}" for form in OVER_TIME if prefix in known]
+        hint = suggestion(name, [*known, *followed], longest=len(known))
         raise QuantityError(
             "'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint
         )
     return known[name]
 
 
-def headed(name: str, unit: str) -> str:
+def column_heading(name: str, unit: str) -> str:
     """Return the heading of a quantity's column: its name, with its unit if it has one."""
     return f"{name} [{unit}]" if unit else name
 
 
-def base(quantity: Quantity) -> str:
+def aggregated(quantity: Quantity) -> str:
     """Return the name of the quantity that is aggregated over time."""
-    return quantity.name.removesuffix(f".{quantity.over_time}")
+    return quantity.name.removesuffix(f".{quantity.aggregate}")
 
 
 def mutual(level: Level) -> Iterator[Quantity]:
@@ -215,22 +215,22 @@ def mutual(level: Level) -> Iterator[Quantity]:
                     yield from _mutual(subject, other, level)
 
 
-def _over_time(quantity: Quantity, what: str) -> Quantity:
+def _over_time(quantity: Quantity, aggregate: str) -> Quantity:
     """Return an aggregate of a quantity since the start."""
-    name = f"{quantity.name}.{what}"
-    if quantity.over_time or quantity.owner == "time":
-        raise _timeless(name, quantity.name, what)
-    unit = "·".join(part for part in (quantity.unit, OVER_TIME[what]) if part)
-    return replace(quantity, name=name, unit=unit, over_time=what)
+    name = f"{quantity.name}.{aggregate}"
+    if quantity.aggregate or quantity.owner == "time":
+        raise _no_aggregate(name, quantity.name, aggregate)
+    unit = "·".join(part for part in (quantity.unit, OVER_TIME[aggregate]) if part)
+    return replace(quantity, name=name, unit=unit, aggregate=aggregate)
 
 
-def _timeless(name: str, whole: str, what: str) -> QuantityError:
+def _no_aggregate(name: str, prefix: str, aggregate: str) -> QuantityError:
     """Return the error for a quantity without that aggregate over time."""
     rule = Message(
         "'{name}' is not a quantity of this level; '{whole}' has no '{what}' over time",
         name=brief(name),
-        whole=brief(whole),
-        what=what,
+        whole=brief(prefix),
+        what=aggregate,
     )
     return QuantityError(rule)
 
@@ -286,7 +286,7 @@ def _owners(level: Level) -> dict[str, Owner]:
 
 def _of_accounts(level: Level) -> Iterator[Quantity]:
     """Yield the potential energies of a level, and the balances of its ledger."""
-    outside = ledger_accounts.outside(level)
+    outside = ledger_accounts.external_accounts(level)
     for name in ledger_accounts.potentials(level):
         yield _of_system(f"potential_energy.{name}", "J")
     for book, names in {

@@ -39,7 +39,7 @@ def _ever_holds(condition: Formula, level: Level) -> bool:
 
 
 def _without_strength(level: Level) -> Iterator[Fault]:
-    for effect, place, said in level.effects.said:
+    for effect, place, said in level.effects.settings:
         name = effect.name
         if effect.strength and _is_nothing(tuple(getattr(said, f) for f in effect.strength)):
             rule = Message(

@@ -17,7 +17,7 @@ from sandbox.model.translatable_message import Message, word
 def bounds_the_rate(level: Level) -> bool:
     """Whether a level has springs, or effects that depend on velocities, which limit the step."""
     springs = any(joint.kind.force for joint in level.joints.values())
-    return springs or any(effect.sees_velocity for effect in level.effects.declarations)
+    return springs or any(effect.depends_on_velocity for effect in level.effects.declarations)
 
 
 def unsmooth(level: Level) -> Message | None:

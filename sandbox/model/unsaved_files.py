@@ -47,7 +47,7 @@ class UnsavedFile:
         _OPEN.discard(self._name)
 
 
-def left(folder: Path, ending: str) -> Iterator[Path]:
+def leftovers(folder: Path, ending: str) -> Iterator[Path]:
     """Yield the files in a folder that were left by processes that have ended."""
     for file in folder.glob(f"*{ending}"):
         found = _NAME.fullmatch(file.name)

@@ -20,7 +20,7 @@ NEAR = 1e-9
 """The tolerance for coincident points, as a share of the wire's size."""
 
 
-def places(wire: Wire | Curve, values: Values, s: Array) -> Points:
+def points_at(wire: Wire | Curve, values: Values, s: Array) -> Points:
     """Return the points of a wire or curve [m]; not finite where it has none."""
     x, y = (coordinate.over(values, s) for coordinate in wire.curve)
     return np.asarray(x + 1j * y)
@@ -29,7 +29,7 @@ def places(wire: Wire | Curve, values: Values, s: Array) -> Points:
 def along(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> Points:
     """Return the points of a wire or curve at equal steps of s, with both ends: (n + 1,) [m]."""
     first, last = (end(values) for end in wire.s)
-    return places(wire, values, np.linspace(first, last, pieces + 1))
+    return points_at(wire, values, np.linspace(first, last, pieces + 1))
 
 
 def graded(wire: Wire | Curve, values: Values) -> tuple[Points, Points]:
@@ -42,7 +42,7 @@ def graded(wire: Wire | Curve, values: Values) -> tuple[Points, Points]:
     first, last = (end(values) for end in wire.s)
     begin = np.pi * FIRST / (PIECES + 2 * FIRST)
     way = np.cos(begin) - np.cos(np.linspace(begin, np.pi - begin, 2 * PIECES + 1))
-    found = places(wire, values, first + (last - first) * way / way[-1])
+    found = points_at(wire, values, first + (last - first) * way / way[-1])
     return found[::2], found[1::2]
 
 

@@ -14,9 +14,9 @@ from sandbox.model.contact_solver_choice import may_be_direct
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy.compared_runs import lasting
+from sandbox.physics.accuracy.compared_runs import at_least_lasting
 from sandbox.physics.energy.book_closure import Closer
-from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, leans, needed
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, may_lean, needed
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.state.errors import BreakdownError
 from sandbox.physics.stepping.make_world import make_world
@@ -41,7 +41,7 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     chosen = _resolved(level, values, stepping or level.stepping)
     with TimeLimit().within_steps():
         world = make_world(level, values, chosen)
-        if chosen.solver or not leans(world) or not may_be_direct(level):
+        if chosen.solver or not may_lean(world) or not may_be_direct(level):
             return world
         if len(world.contacts.bodies) > MOST_UNSETTLED:
             return world
@@ -70,7 +70,7 @@ def simulate(
     """
     values = level.defaults if values is None else values
     record = None if record is None else list(record)
-    asked = lasting(level, values, duration)
+    asked = at_least_lasting(level, values, duration)
     world = build(level, values, _resolved(asked, values, stepping or level.stepping, record or ()))
     try:
         with np.errstate(all="ignore"):  # what is not finite is told by name

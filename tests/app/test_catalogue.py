@@ -183,7 +183,7 @@ def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
             ledger_accounts.potentials,
             ledger_accounts.works,
             ledger_accounts.losses,
-            ledger_accounts.outside,
+            ledger_accounts.external_accounts,
         )
         booked = {account for kind in every for account in kind(level)}
         assert booked <= words, name

@@ -107,7 +107,7 @@ def _chosen(level: str, text: str, part: int, seed: int) -> Iterator[Typo]:
 def _bodies(text: str) -> set[Position]:
     """Return where the text of a level names bodies."""
     level = parse(text)
-    places = (level.place(path).split(":") for path, _ in named_bodies(level))
+    places = (level.location(path).split(":") for path, _ in named_bodies(level))
     return {(int(line), int(column)) for _, line, column, *_ in places}
 
 

@@ -222,7 +222,7 @@ def test_every_quantity_can_be_measured(any_level: Level) -> None:
     from sandbox.model.quantities import quantities
 
     world = build(any_level)
-    meter = Meter(world, [found.name for found in quantities(any_level) if not found.booked])
+    meter = Meter(world, [found.name for found in quantities(any_level) if not found.needs_ledger])
 
     start = world.snapshot if any_level.stepping.scheme == "leapfrog" else world.advance()
     for name, value in meter(start).items():
@@ -233,7 +233,7 @@ def test_every_quantity_can_be_measured(any_level: Level) -> None:
 def test_every_account_can_be_kept(any_level: Level) -> None:
     from sandbox.model.quantities import quantities
 
-    names = [found.name for found in quantities(any_level) if found.booked]
+    names = [found.name for found in quantities(any_level) if found.needs_ledger]
 
     trace = simulate(any_level, duration=3 / any_level.stepping.rate, record=names)
 

@@ -88,8 +88,8 @@ def conservative(level: Level) -> bool:
         and set(losses(level)) <= {"impacts"}
         and (effects.contact is None or bouncing)
         and not any(map(dead, level.joints.values()))
-        and not events.tied(level.events)
-        and all(e(values) == 1 for _, e in events.bouncing(level.joints))
+        and not events.tied_joints(level.events)
+        and all(e(values) == 1 for _, e in events.rebounding_stops(level.joints))
     )
 
 

@@ -102,6 +102,6 @@ def test_doubling_two_hundred_times_takes_no_time() -> None:
 def test_an_expression_without_constants_is_none_the_wiser() -> None:
     plain = Formula("2*m*t")
 
-    assert plain.names == plain.written == {"m", "t"}
+    assert plain.names == plain.names_written == {"m", "t"}
     assert pickle.loads(pickle.dumps(plain)) == plain
     assert Expression("2*m")({"m": 1.5}) == 3

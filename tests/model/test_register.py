@@ -44,13 +44,13 @@ class Unsoftened(Model):
 class Bookless(Model):
     """Is a force, and does not say what becomes of energy."""
 
-    effect: ClassVar[Effect] = Effect(name="thing", sees=("position",))
+    effect: ClassVar[Effect] = Effect(name="thing", depends_on=("position",))
 
 
 class Turning(Model):
     """A complete declaration."""
 
-    effect: ClassVar[Effect] = Effect(name="thing", sees=("velocity",), strength=("mu",))
+    effect: ClassVar[Effect] = Effect(name="thing", depends_on=("velocity",), strength=("mu",))
     mu: Strength
     body: ActedOn
 
@@ -64,7 +64,7 @@ def listed(effect: type[Model]) -> type[Model]:
 
 def test_an_effect_that_is_whole_is_registered() -> None:
     assert register(listed(Turning)) == {"thing": Turning.effect}
-    assert Turning.effect.turns, "what does no work though it sees velocities"
+    assert Turning.effect.rotates_velocity, "what does no work though it sees velocities"
 
 
 @pytest.mark.parametrize(
@@ -167,8 +167,8 @@ def test_a_force_has_the_account_that_it_says(name: str) -> None:
         for body in data["bodies"].values():
             body["angular_velocity"] = 1
         this = level(data)
-        (one,) = (one for found, _, one in this.effects.said if found.name == name)
+        (one,) = (one for found, _, one in this.effects.settings if found.name == name)
 
-        assert (name in ledger_accounts.outside(this)) is not effect.inside
+        assert (name in ledger_accounts.external_accounts(this)) is not effect.is_internal
         for book, names in books.items():
-            assert (effect.booked in names(this)) is (effect.book_of(one) == book)
+            assert (effect.account_name in names(this)) is (effect.book_of(one) == book)

@@ -16,7 +16,7 @@ STRONG = [effect.name for effect in EFFECTS.values() if effect.strength and effe
 def test_an_effect_without_strength_is_told(name: str) -> None:
     ball = bare()["bodies"]["ball"] | {"mass": 2, "position": [1, 0]}
     bodies = {"a": ball, "b": {**ball, "position": [9, 0]}}
-    effects = {name: idle(name), **({"rotation": {}} if EFFECTS[name].twists else {})}
+    effects = {name: idle(name), **({"rotation": {}} if EFFECTS[name].exerts_torque else {})}
     data = {"format": 1, "title": "Still", "effects": effects, "bodies": bodies}
 
     (found,) = remarks(level(data))

@@ -122,7 +122,7 @@ def test_numpy_warns_nobody_of_what_is_told_by_name(monkeypatch: pytest.MonkeyPa
         assert np.isinf(np.float64(1) / np.zeros(1)).all()
 
     made = falling()
-    monkeypatch.setattr(made._watch, "look", careless)
+    monkeypatch.setattr(made._watch, "check", careless)
     monkeypatch.setattr(made, "step", careless)
 
     with warnings.catch_warnings():

@@ -10,7 +10,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.guarding.least_step_rate import needed
+from sandbox.physics.guarding.least_step_rate import required_rate
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
@@ -95,7 +95,7 @@ def start(level: Level, rate: float | None = None) -> World:
                 raise Refused(str(error)) from error
             rate = error.rate
             continue
-        asked = needed(world.scene, world.snapshot)
+        asked = required_rate(world.scene, world.snapshot)
         if MARGIN * asked <= rate:
             return world
         rate = ceil(MARGIN * asked)

@@ -13,7 +13,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, Level, Stepping
-from sandbox.physics.accuracy.compared_runs import SEEN, by_check, record
+from sandbox.physics.accuracy.compared_runs import SEEN, check_item, record
 from sandbox.physics.measuring.grading import grade, least_scale, relative_error, samples
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
@@ -115,9 +115,9 @@ def run(level: Level, values: Values, stepping: Stepping, seen: float = SEEN) ->
     An observation costs more than a step. But if a check is at an instant, every step is observed:
     interpolation between observations has an error that grows with their distance.
     """
-    wanted = [by_check(check, values) for check in level.checks]
+    wanted = [check_item(check, values) for check in level.checks]
     instants = any(check.at is not None for check in level.checks)
-    return record(level, values, stepping, wanted, seen=inf if instants else seen)
+    return record(level, values, stepping, wanted, observation_rate=inf if instants else seen)
 
 
 def _difference(check: Check, trace: Trace, reference: Trace) -> float | None:

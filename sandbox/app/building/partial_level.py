@@ -24,7 +24,7 @@ from sandbox.app.stage.body_outlines import Outline, outlined
 from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import Joint, Rail, Wire, points
 from sandbox.model.level import Level
 from sandbox.model.named_constants import let_use
@@ -270,7 +270,7 @@ def _path(joint: Joint, specs: Mapping[str, Body], values: Values) -> list[XY]:
     """Return the points through which a joint is drawn [m]."""
     if isinstance(joint, Wire):
         return [(p.real, p.imag) for p in along(joint, values, 256).tolist()]
-    path = [(p.real, p.imag) for p in (place(end, specs, values) for end in points(joint))]
+    path = [(p.real, p.imag) for p in (end_position(end, specs, values) for end in points(joint))]
     if isinstance(joint, Rail):
         return _rail(path[1], evaluate(joint.direction, values))
     return joints.drawn(joint, path, values, lambda body: specs[body].angle(values))

@@ -88,12 +88,12 @@ def _check(card: Card, reading: Reading, words: Say, split: "ErrorBudget | None"
         measured = (
             formatting.measured(reading.measured, reading.expected, result.unit)
             if split is None
-            else formatting.certain(reading.measured, split.off, result.unit)
+            else formatting.certain(reading.measured, split.difference, result.unit)
         )
         error = formatting.error(result.error)
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
         if split is not None:
-            off = formatting.quantity(split.off, result.unit, 1)
+            off = formatting.quantity(split.difference, result.unit, 1)
             message = say("± {off} by halving the step", off=off)
             card.text(message, 12, theme.DIM, indent=card.indent)
     if result.verdict == "failed" and result.t is not None:

@@ -55,7 +55,7 @@ def excerpt(
         sheet.put(number, text, [mistake for mistake in mistakes if mistake.line == number])
     for mistake in mistakes:
         if mistake.line is None:
-            card.text(say(mistake.told), SIZE + 1, theme.TEXT, indent=PADDING)
+            card.text(say(mistake.unplaced), SIZE + 1, theme.TEXT, indent=PADDING)
     card.y += PADDING
     drawn = card.drawn()
     pygame.draw.rect(drawn, theme.EDGE, drawn.get_rect(), 1, border_radius=5)
@@ -108,7 +108,7 @@ class _Sheet:
         caret.fill(theme.FAILED, (0, 2, caret.width, 2))
         pygame.draw.polygon(caret, theme.FAILED, [(0, 7), (3, 0), (6, 7)])
         self._card.put(caret, x)
-        message, room = say(mistake.told), self._card.width - PADDING
+        message, room = say(mistake.unplaced), self._card.width - PADDING
         beside = caret.width + x + PADDING
         fits = self._pen.write(message, SIZE, theme.FAILED).width <= room - beside
         if not fits:

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
 _NAMES = (
     *(NORMAL, FRICTION, IMPACT, HAND),
-    *(effect.called for effect in EFFECTS.values() if effect.is_force),
-    *(kind.pull for kind in KINDS.values()),
+    *(effect.shown_force_name for effect in EFFECTS.values() if effect.is_force),
+    *(kind.force_name for kind in KINDS.values()),
 )
 
 FAINT = 1e-9
@@ -98,7 +98,7 @@ class SelectedBody:
         It is a round number that stays until forces exceed it or become much smaller; impacts do
         not count.
         """
-        now = 0.0 if found.struck else max(found.largest, *map(abs, found.gain))
+        now = 0.0 if found.struck else max(found.largest, *map(abs, found.mass_times_acceleration))
         known = self._full.get(found.body, 0.0)
         if now > known or 0 < now < known * LITTLE:
             self._full[found.body] = rounded_up(now)
@@ -131,7 +131,7 @@ def texts(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:
     alike = [acting for acting in forces if _count(forces, acting) > 1]
     short = len({acting.name for acting in alike}) == 1 and all(acting.by for acting in alike)
     told = [say(a.name) if a not in alike else _from(a) if short else _whole(a) for a in forces]
-    sizes = [f"{newtons(acting.size)} N" for acting in forces]
+    sizes = [f"{newtons(acting.magnitude)} N" for acting in forces]
     return [*zip(forces, map(" ".join, zip(_numbered(told), sizes, strict=True)), strict=True)]
 
 
@@ -164,7 +164,7 @@ def _numbered(names: Sequence[str]) -> Sequence[str]:
 
 def felt(found: FreeBody) -> Sequence[AppliedForce]:
     """Return the forces on a body, without those negligible compared with the largest."""
-    return [acting for acting in found.forces if acting.size > FAINT * found.largest]
+    return [acting for acting in found.forces if acting.magnitude > FAINT * found.largest]
 
 
 def cleared(vector: XY, found: FreeBody) -> XY:

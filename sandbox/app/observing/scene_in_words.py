@@ -208,7 +208,7 @@ def _forces_on(found: FreeBody) -> Iterator[str]:
     least = FAINT * found.largest
     strong = [
         each for each in found.forces
-        if each.size > least or (arm and abs(each.couple) > least * arm)
+        if each.magnitude > least or (arm and abs(each.couple) > least * arm)
     ]  # fmt: skip
     if not strong:
         yield "no force"
@@ -228,12 +228,12 @@ def _acting(acting: AppliedForce) -> str:
     """Return a force in words: its name, source, magnitude and direction."""
     name = f"{acting.name} from {acting.by}" if acting.by else acting.name
     torque = formatting.quantity(acting.couple, "N m", DIGITS)
-    if not acting.size:
+    if not acting.magnitude:
         return f"{name} as a torque of {torque}"
-    size = formatting.quantity(acting.size, "N", DIGITS)
+    size = formatting.quantity(acting.magnitude, "N", DIGITS)
     message = f"{name} {size} {way(*acting.force)}"
     return (
         f"{message}, with a torque of {torque}"
-        if abs(acting.couple) > TURNS * acting.size
+        if abs(acting.couple) > TURNS * acting.magnitude
         else message
     )

@@ -11,7 +11,7 @@ from sandbox.app.runs.session import Session
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import data_folder
 from sandbox.model.translatable_message import NOTHING, Message
-from sandbox.model.unsaved_files import UnsavedFile, delete, left
+from sandbox.model.unsaved_files import UnsavedFile, delete, leftovers
 
 OFTEN = 1.0  # s, between two writings
 SPARING = 50.0  # a run that takes long to write is written this many times as rarely
@@ -88,7 +88,7 @@ class RunRecovery:
 def left_runs(most: int) -> Sequence[LeftRun]:
     """Return the runs left by windows that have ended, the newest ones, these first."""
     found = []
-    for file in nlargest(most, left(folder(), runfile.SUFFIX), key=_written):
+    for file in nlargest(most, leftovers(folder(), runfile.SUFFIX), key=_written):
         try:
             found.append(LeftRun(file, _written(file), runfile.read(file)))
         except SandboxError:  # a file of another program

@@ -57,7 +57,7 @@ class Grip:
             return point
         row = list(world.level.bodies).index(body)
         (one, first), (other, second) = (
-            (anchor.body, anchor.look(world.snapshot)[0])
+            (anchor.body, anchor.kinematics(world.snapshot)[0])
             for anchor in world.scene.joints.paths[rods[0]]
         )
         end, far = (first, second) if one == row else (second, first)

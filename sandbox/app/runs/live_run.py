@@ -127,7 +127,7 @@ class LiveRun:
         self.trail.add(snapshot.position)
         self.history.note(snapshot)
         recorded = self.world is self._recorded and self.world.steps <= self.end
-        if recorded and not self._recorder.full:
+        if recorded and not self._recorder.is_full:
             self._recorder.note()
 
     def _follow(self, t: float) -> None:

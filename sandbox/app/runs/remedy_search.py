@@ -29,7 +29,7 @@ class RemedySearch(BackgroundTask):
                 session.run.trying = True
                 world = session.world
                 scene = session.level, session.values, world.stepping, session.duration
-                self._work.start(remedy_trials.findings, failure, *scene)
+                self._work.start(remedy_trials.advice_in_background, failure, *scene)
         if not session.run.trying:
             return
         from sandbox.physics.advising.remedy_trials import Advice

@@ -29,7 +29,7 @@ class Limits:
             message = later("A step takes {time}; the window waits for each")
             self.message = say(message, time=formatting.seconds(seconds))
             self._patience = None  # the user has been told
-        elif self._room and self.recorder.full:
+        elif self._room and self.recorder.is_full:
             self.message = say(
                 "{count:,} instants are recorded, the most possible: checks ignore later ones",
                 count=len(self.recorder),

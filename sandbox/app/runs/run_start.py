@@ -34,7 +34,7 @@ def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: b
     """
     setting = _known(level, values, patient)
     if setting is not None:
-        offer = setting.drawn if patient else setting.playable
+        offer = setting.for_drawing if patient else setting.for_playing
         world = build(level, values, offer.stepping)
     elif level.stepping.accuracy is None:
         world = build(level, values)

@@ -16,7 +16,9 @@ NONE: Mapping[str, list[XY]] = {}
 
 def between_ends(world: World, name: str) -> list[XY]:
     """Return the points of a joint's anchors [m]."""
-    places = (anchor.find(world.snapshot)[0] for anchor in world.scene.joints.paths[name])
+    places = (
+        anchor.position_and_arm(world.snapshot)[0] for anchor in world.scene.joints.paths[name]
+    )
     return [(float(place.real), float(place.imag)) for place in places]
 
 

@@ -23,7 +23,7 @@ def draw_texts(surface: pygame.Surface, view: View) -> None:
     world, words = view.world, level_translation.of(view.world.level)
     rows = {name: row for row, name in enumerate(world.level.bodies)}
     for label in view.world.level.view.labels:
-        place, _ = _anchor(label.at, rows, world.values).find(world.snapshot)
+        place, _ = _anchor(label.at, rows, world.values).position_and_arm(world.snapshot)
         pixel = view.camera.to_screen((float(place.real), float(place.imag)))
         if lines.near((pixel,)):
             text = view.pen.outlined(words(label.text))

@@ -42,7 +42,7 @@ def momenta(world: World, snapshot: Snapshot, place: str | None = None) -> Array
     They are as seen from a place, see `Observer`.
     """
     scene, velocity = world.scene, Observer(world, place).seen(snapshot.velocity)
-    product: Array = (scene.mass * scene.share(snapshot.t))[..., None] * velocity
+    product: Array = (scene.mass * scene.mass_fraction(snapshot.t))[..., None] * velocity
     return product
 
 

@@ -30,7 +30,7 @@ class Observer:
             own: Array = vectors[..., self._row, :]
             return own
         scene = self._world.scene
-        mass = scene.mass * scene.share(self._world.snapshot.t)
+        mass = scene.mass * scene.mass_fraction(self._world.snapshot.t)
         mean: Array = mass @ vectors / mass.sum()
         return mean
 

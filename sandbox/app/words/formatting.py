@@ -107,10 +107,10 @@ def name_in_words(name: str) -> str:
 
 def bounds(outcome: Outcome) -> str:
     """Format the bounds of a goal: the lower, the upper, or both."""
-    least, most = (_in_unit(bound, outcome.unit, brief) for bound in (outcome.least, outcome.most))
-    if outcome.least == -inf:
+    least, most = (_in_unit(bound, outcome.unit, brief) for bound in (outcome.lower, outcome.upper))
+    if outcome.lower == -inf:
         return say("at most {most}", most=most)
-    if outcome.most == inf:
+    if outcome.upper == inf:
         return say("at least {least}", least=least)
     return say("{least} to {most}", least=least, most=most)
 
@@ -218,13 +218,13 @@ def occasion(check: Check) -> str:
 
 def difference(found: Difference) -> str:
     """Format the difference between two runs, relative to the first if that makes sense."""
-    if found.share == 0:
+    if found.fraction == 0:
         return say(NO_DIFFERENCE)
-    if found.before is None or found.after is None:
-        return say("comes") if found.before is None else say("never comes")
+    if found.first is None or found.second is None:
+        return say("comes") if found.first is None else say("never comes")
     if found.relative is not None and abs(found.relative) < 10:
         return f"{100 * found.relative:+.3g} %"
-    return f"{found.after - found.before:+.3g} {found.unit}"
+    return f"{found.second - found.first:+.3g} {found.unit}"
 
 
 def step_cost(seconds: float) -> str:
@@ -253,19 +253,19 @@ def _variation(found: Variation) -> str:
 def summary(found: Sequence[Difference], words: Say) -> Iterator[str]:
     """Yield a short text for each quantity that a change of effects alters."""
     for label, one in {words(each.label) or each.quantity: each for each in found}.items():
-        if one.share:
+        if one.fraction:
             yield f"{label} {difference(one)}"
 
 
 def offer(setting: "Setting") -> str:
     """Describe the setting that reaches an accuracy, or the best one possible in real time."""
     if setting.in_real_time is None:
-        return f"{error(setting.target)}: {_offer(setting.playable)}"
+        return f"{error(setting.target)}: {_offer(setting.for_playing)}"
     return say(
         "{error} is not possible in real time: 1 s takes {cost:.2g} s of computing."
         " Instead: {offer}",
         error=error(setting.target),
-        cost=setting.drawn.cost,
+        cost=setting.for_drawing.cost,
         offer=_offer(setting.in_real_time),
     )
 
@@ -310,10 +310,10 @@ def next_digit(found: "Trust") -> str:
 
 def certain(value: float, off: float, unit: str) -> str:
     """Format a value that has an error, with only the digits that can be trusted."""
-    from sandbox.physics.accuracy.trusted_digits import surviving
+    from sandbox.physics.accuracy.trusted_digits import certain_digits
 
     scale = degrees(1) if unit.startswith("rad") else 1.0
-    digits = surviving(scale * value, scale * off)
+    digits = certain_digits(scale * value, scale * off)
     return quantity(value if digits else 0.0, unit, digits or 1, all_count=True)
 
 

@@ -110,7 +110,7 @@ def _numbers_in_conflict(source: Level, level: Level) -> Mapping[str, str]:
     while using := {
         name
         for name, formula in source.constants.items()
-        if name in known and name not in others and not others.isdisjoint(formula.written)
+        if name in known and name not in others and not others.isdisjoint(formula.names_written)
     }:
         others |= using
     taken = known | source.parameters.keys() | source.constants.keys() | RESERVED

@@ -31,7 +31,9 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
     """
     if effect not in EFFECTS:
         raise SandboxError(
-            "unknown effect '{name}'{hint}", name=effect, hint=suggestion(effect, EFFECTS, most=20)
+            "unknown effect '{name}'{hint}",
+            name=effect,
+            hint=suggestion(effect, EFFECTS, longest=20),
         )
     said = getattr(level.effects, effect)
     if said is not None and not isinstance(said, tuple):

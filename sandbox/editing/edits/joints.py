@@ -15,8 +15,8 @@ from sandbox.editing.placed_bodies import PlacedBody, distance, placed, xy
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError
-from sandbox.model.excluded_pairs import apart
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.excluded_pairs import excluded_pairs
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import KINDS, Pivot, body_of
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
@@ -69,7 +69,7 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Edi
         raise SandboxError(
             "there is no joint '{kind}'{hint}",
             kind=kind,
-            hint=suggestion(kind, KINDS, most=len(KINDS)),
+            hint=suggestion(kind, KINDS, longest=len(KINDS)),
         )
     if len(chosen) < picks(kind):
         raise SandboxError(
@@ -101,7 +101,7 @@ def _unpinned(text: str, level: Level, chosen: Sequence[Pick]) -> str:
     for name, joint in level.joints.items():
         if not isinstance(joint, Pivot) or {body_of(end) for end in joint.ends} != parts:
             continue
-        if abs(place(joint.ends[0], level.bodies, level.defaults) - there) <= OVERLAP:
+        if abs(end_position(joint.ends[0], level.bodies, level.defaults) - there) <= OVERLAP:
             text = without_meaning(remove(text, ("joints", name)))
     return text
 
@@ -109,7 +109,7 @@ def _unpinned(text: str, level: Level, chosen: Sequence[Pick]) -> str:
 def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> str:
     """Return a level in which the two bodies to be joined do not collide if they overlap."""
     contact, bodies = level.effects.contact, sorted({pick.body for pick in chosen if pick.body})
-    if contact is None or len(bodies) != 2 or tuple(bodies) in apart(level):
+    if contact is None or len(bodies) != 2 or tuple(bodies) in excluded_pairs(level):
         return text
     if distance(where[bodies[0]], where[bodies[1]]) > -OVERLAP:
         return text

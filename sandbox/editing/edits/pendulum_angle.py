@@ -14,7 +14,7 @@ from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placed_bodies import PlacedBody, distance, placed
 from sandbox.editing.text_patches import put_all
 from sandbox.model.errors import SandboxError
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import Rod, Rope, bodies_of, body_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
@@ -37,7 +37,7 @@ def peg_of(level: Level, name: str) -> complex | None:
     pegs = [end for end in held[0].ends if end != name]
     if len(pegs) != 1 or body_of(pegs[0]) or names_in((pegs[0], level.bodies[name].position)):
         return None
-    return place(pegs[0], level.bodies, level.defaults)
+    return end_position(pegs[0], level.bodies, level.defaults)
 
 
 def swing(text: str, level: Level, name: str) -> str:

@@ -19,7 +19,7 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     said,
 )
 from sandbox.model.expressions import Expression
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import body_of, points
 from sandbox.model.shapes import Disc
 
@@ -100,7 +100,7 @@ def _hung(scene: Scene) -> dict[str, complex]:
     for joint in scene.level.joints.values():
         if bob := bob_of(scene, joint):
             pegs = (end for end in points(joint) if body_of(end) is None)
-            found[bob] = scene.where[bob].center - place(next(pegs), {}, scene.values)
+            found[bob] = scene.where[bob].center - end_position(next(pegs), {}, scene.values)
     return found
 
 

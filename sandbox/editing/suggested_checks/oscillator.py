@@ -21,7 +21,7 @@ from sandbox.editing.suggested_checks.recogniser_input import (
 )
 from sandbox.model.expressions import Expression
 from sandbox.model.functions import Formula
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import End, Spring, body_of
 from sandbox.physics.geometry.outline_distance import dot
 
@@ -58,7 +58,7 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
     values, body, fall = scene.values, scene.level.bodies[bob], scene.level.effects.gravity
     first, second = joint.ends
     end = second if body_of(first) else first
-    peg = place(end, scene.level.bodies, values)
+    peg = end_position(end, scene.level.bodies, values)
     way = scene.where[bob].center - peg
     if not way or (way.real and way.imag):
         return
@@ -140,7 +140,7 @@ def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
     At a distance r from the peg, k (r - L)²/2 ≤ m g (r + h), if it starts h above the peg.
     """
     assert scene.fall is not None
-    peg = place(joint.ends[1] if body_of(joint.ends[0]) else joint.ends[0], {}, scene.values)
+    peg = end_position(joint.ends[1] if body_of(joint.ends[0]) else joint.ends[0], {}, scene.values)
     way = scene.where[bob].center - peg
     if not way.real or not scene.rests(bob):
         return False

@@ -20,7 +20,7 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     rate_of,
     said,
 )
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import Joint, Rod, Rope, points
 from sandbox.model.level_parts import names_in
 
@@ -97,7 +97,9 @@ def _of(scene: Scene, name: str, bob: str, swings: Sequence[Swing]) -> Suggestio
 
 def _swing(scene: Scene, joint: Joint, bob: str) -> Swing | None:
     """Return the swing of a bob; None if it is too small, too large or obstructed."""
-    first, second = (place(end, scene.level.bodies, scene.values) for end in points(joint)[:2])
+    first, second = (
+        end_position(end, scene.level.bodies, scene.values) for end in points(joint)[:2]
+    )
     center = scene.where[bob].center
     peg = first if second == center else second
     found = Swing(peg, center - peg)

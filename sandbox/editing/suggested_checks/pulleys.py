@@ -20,7 +20,7 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     opposite,
 )
 from sandbox.model.expressions import Expression
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import End, Joint, Pulley, Rod, Rope, bodies_of, body_of, points
 from sandbox.model.level_parts import names_in
 
@@ -120,7 +120,7 @@ def _forms(carried: Sequence[Carried], g: str) -> tuple[str, list[str]]:
 
 def _parts(scene: Scene, joint: Joint) -> list[Part]:
     """Return the parts of a string."""
-    places = [(end, place(end, scene.level.bodies, scene.values)) for end in points(joint)]
+    places = [(end, end_position(end, scene.level.bodies, scene.values)) for end in points(joint)]
     return [Part((a, b), (at, to)) for (a, at), (b, to) in pairwise(places)]
 
 
@@ -184,7 +184,7 @@ def _hung(scene: Scene, joint: Joint, name: str) -> str | None:
     other = body_of(lower)
     if other is None or scene.level.bodies[other].type != "dynamic":
         return None
-    high, low = (place(end, scene.level.bodies, scene.values) for end in (upper, lower))
+    high, low = (end_position(end, scene.level.bodies, scene.values) for end in (upper, lower))
     line = (high, low, scene.where[other].center)
     off = max(abs((point - scene.where[name].center).real) for point in line)
     return other if off <= STRAIGHT and low.imag < high.imag else None

@@ -97,7 +97,7 @@ class Effects(Model):
         return (EFFECTS[name] for name in self.declared)
 
     @property
-    def said(self) -> Iterator[tuple[Effect, Path, Any]]:
+    def settings(self) -> Iterator[tuple[Effect, Path, Any]]:
         """The settings of each declared effect with their paths; for a list, of each entry."""
         for effect in self.declarations:
             place, said = ("effects", effect.name), getattr(self, effect.name)

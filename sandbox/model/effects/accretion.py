@@ -19,9 +19,9 @@ class Accretion(Model):
         name="accretion",
         smooth=False,
         book="work",
-        sees=("velocity", "time"),
+        depends_on=("velocity", "time"),
         changes_mass=True,
-        pull="push of what comes",
+        force_name="push of what comes",
     )
 
     body: ActedOn

@@ -12,7 +12,11 @@ class Attraction(Model):
     """Attraction to a fixed centre: |F| = mu m / r^p; by default Newton's law, U = −mu m / r."""
 
     effect: ClassVar[Effect] = Effect(
-        name="attraction", book="potential", sees=("position",), strength=("mu",), trial={"mu": 1}
+        name="attraction",
+        book="potential",
+        depends_on=("position",),
+        strength=("mu",),
+        trial={"mu": 1},
     )
 
     mu: Strength

@@ -16,10 +16,10 @@ class Buoyancy(Model):
     effect: ClassVar[Effect] = Effect(
         name="buoyancy",
         book="potential",
-        sees=("position", "angle"),
+        depends_on=("position", "angle"),
         smooth=False,
         strength=("density",),
-        twists=True,
+        exerts_torque=True,
         trial={"density": 20, "gravity": 9.81},  # twice that of drawn bodies, which float
     )
 

@@ -13,9 +13,9 @@ class Centrifugal(Model):
     effect: ClassVar[Effect] = Effect(
         name="centrifugal",
         book="potential",
-        sees=("position",),
+        depends_on=("position",),
         strength=("rate",),
-        pull="centrifugal force",
+        force_name="centrifugal force",
     )
 
     rate: Spin

@@ -49,7 +49,7 @@ class Effect:
     acts: Literal["law", "pymunk", "scene"] = "law"
     """How it acts: as a `law`, a force in a module of `sandbox/physics/forces/`; by a force that
     `pymunk` applies itself; or on the `scene`, through its surfaces and moments of inertia."""
-    sees: tuple[Sight, ...] = ()
+    depends_on: tuple[Sight, ...] = ()
     """The variables that the force depends on."""
     smooth: bool = True
     """Whether the force is a smooth function of these. A jump reduces any scheme to first order."""
@@ -60,10 +60,10 @@ class Effect:
     """A function of its settings that returns whether it is booked as `work` instead; optional."""
     account: str = ""
     """The account of its energy; its name if left out."""
-    inside: bool = False
+    is_internal: bool = False
     """Whether it acts only between bodies, and between every two of those that it acts on, so that
     it does not change their total momentum. Their number is limited by the cost of a step."""
-    singular: bool = False
+    is_singular: bool = False
     """Whether the force between two bodies at the same position is infinite, so that bodies that
     start there are refused."""
     softening: str = ""
@@ -78,9 +78,9 @@ class Effect:
     """The settings with which to try it in any level; None if it needs settings of its own."""
     changes_mass: bool = False
     """Whether it changes the masses of the bodies that it names."""
-    twists: bool = False
+    exerts_torque: bool = False
     """Whether it can turn bodies, so that `rotation` has an effect with it."""
-    pull: str = ""
+    force_name: str = ""
     """The name of its force in a free-body diagram; its own name if left out."""
 
     @property
@@ -94,37 +94,37 @@ class Effect:
         return self.acts == "law"
 
     @property
-    def sees_velocity(self) -> bool:
+    def depends_on_velocity(self) -> bool:
         """Whether the force depends on velocities."""
-        return "velocity" in self.sees
+        return "velocity" in self.depends_on
 
     @property
-    def turns(self) -> bool:
+    def rotates_velocity(self) -> bool:
         """Whether it only turns velocities, and does no work."""
         return self.is_law and self.book == "none"
 
     @property
-    def booked(self) -> str:
+    def account_name(self) -> str:
         """The name of the account of its energy."""
         return self.account or self.name
 
     @property
     def is_rough(self) -> bool:
         """Whether a level with it cannot use a scheme of higher order than leapfrog."""
-        return self.sees_velocity or not self.smooth
+        return self.depends_on_velocity or not self.smooth
 
     @property
-    def called(self) -> str:
+    def shown_force_name(self) -> str:
         """The name of its force in a free-body diagram."""
-        return self.pull or self.name
+        return self.force_name or self.name
 
     def stores(self, name: str) -> bool:
         """Whether it is the effect of that name, and stores energy."""
         return self.name == name and self.book == "potential"
 
-    def book_of(self, said: object) -> Book:
+    def book_of(self, settings: object) -> Book:
         """Return the destination of the energy that the effect takes, given its settings."""
-        return "work" if self.drives and self.drives(said) else self.book
+        return "work" if self.drives and self.drives(settings) else self.book
 
 
 def register(manifest: type[Model]) -> Mapping[str, Effect]:
@@ -133,7 +133,7 @@ def register(manifest: type[Model]) -> Mapping[str, Effect]:
     Raises `IncompleteError` if a declaration is missing, or contradicts its model, or if two models
     have the same name.
     """
-    _require_names_of_their_own(_models(manifest))
+    _require_unique_names(_models(manifest))
     fields = manifest.model_fields.items()
     return {name: _declared(name, field.annotation) for name, field in fields}
 
@@ -153,7 +153,7 @@ def _declared(name: str, kind: Any) -> Effect:  # noqa: ANN401 (a type is any ob
         if field and field not in model.model_fields:
             rule = f"{place} has no field '{field}', which its declaration names"
             raise IncompleteError(f"the effect '{name}' is not told in full: {rule}")
-    if effect.turns and not effect.sees_velocity:
+    if effect.rotates_velocity and not effect.depends_on_velocity:
         rule = f"{place} does not say 'book', what becomes of the energy that it takes"
         raise IncompleteError(f"the effect '{name}' is not told in full: {rule}")
     return effect
@@ -169,7 +169,7 @@ def _models(kind: Any) -> Iterator[type[Model]]:  # noqa: ANN401 (a type is any 
         yield from _models(inside)
 
 
-def _require_names_of_their_own(models: Iterator[type[Model]]) -> None:
+def _require_unique_names(models: Iterator[type[Model]]) -> None:
     """Refuse two models of the same name, which the schema of a level could not tell apart."""
     known: dict[str, type[Model]] = {}
     for model in models:

@@ -16,7 +16,7 @@ class Drag(Model):
     effect: ClassVar[Effect] = Effect(
         name="drag",
         book="loss",
-        sees=("velocity",),
+        depends_on=("velocity",),
         needs=("linear", "quadratic"),
         trial={"linear": 0.1},
     )

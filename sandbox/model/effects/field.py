@@ -14,7 +14,7 @@ class Field(Model):
     """A force field F(x, y, vx, vy, t), such as a wind; it acts on centres of mass."""
 
     effect: ClassVar[Effect] = Effect(
-        name="field", book="work", sees=("position", "velocity", "time"), strength=("force",)
+        name="field", book="work", depends_on=("position", "velocity", "time"), strength=("force",)
     )
 
     force: tuple[ForceInField, ForceInField]

@@ -16,9 +16,9 @@ class Force(Model):
         name="force",
         book="potential",
         drives=lambda force: force.has_no_potential,
-        sees=("angle", "time"),
+        depends_on=("angle", "time"),
         strength=("force",),
-        pull="applied force",
+        force_name="applied force",
     )
 
     name: Name | None = None

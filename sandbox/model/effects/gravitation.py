@@ -16,9 +16,9 @@ class Gravitation(Model):
     effect: ClassVar[Effect] = Effect(
         name="gravitation",
         book="potential",
-        sees=("position",),
-        inside=True,
-        singular=True,
+        depends_on=("position",),
+        is_internal=True,
+        is_singular=True,
         softening="softening",
         strength=("constant",),
         trial={"constant": 1},

@@ -16,7 +16,7 @@ class Gravity(Model):
         book="potential",
         strength=("acceleration",),
         trial={"acceleration": [0, -9.81]},
-        pull="weight",
+        force_name="weight",
     )
 
     acceleration: Fall

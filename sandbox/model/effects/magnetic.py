@@ -23,7 +23,7 @@ class Magnetic(Model):
     """A uniform magnetic field normal to the plane, F = q v × B; it does no work."""
 
     effect: ClassVar[Effect] = Effect(
-        name="magnetic", sees=("velocity",), strength=("field",), pull="magnetic force"
+        name="magnetic", depends_on=("velocity",), strength=("field",), force_name="magnetic force"
     )
 
     field: Strength

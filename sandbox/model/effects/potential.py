@@ -17,7 +17,7 @@ class Potential(Model):
         name="potential",
         book="potential",
         account="field",
-        sees=("position",),
+        depends_on=("position",),
         strength=("energy",),
     )
 

@@ -19,7 +19,7 @@ class Thrust(Model):
         name="thrust",
         smooth=False,
         book="work",
-        sees=("angle", "time"),
+        depends_on=("angle", "time"),
         strength=("exhaust",),
         changes_mass=True,
     )

@@ -14,8 +14,8 @@ class Torque(Model):
     effect: ClassVar[Effect] = Effect(
         name="torque",
         book="work",
-        sees=("angle", "velocity", "time"),
-        twists=True,
+        depends_on=("angle", "velocity", "time"),
+        exerts_torque=True,
         strength=("torque",),
     )
 

@@ -12,7 +12,11 @@ class Torsion(Model):
     """A torsion spring: τ = −k (θ − θ0), U = k (θ − θ0)² / 2; a `torque` can damp it."""
 
     effect: ClassVar[Effect] = Effect(
-        name="torsion", book="potential", sees=("angle",), twists=True, strength=("stiffness",)
+        name="torsion",
+        book="potential",
+        depends_on=("angle",),
+        exerts_torque=True,
+        strength=("stiffness",),
     )
 
     body: ActedOn

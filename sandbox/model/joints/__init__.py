@@ -35,14 +35,14 @@ from sandbox.model.number_bounds import (
 from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 
-ELASTIC = Effect(name="spring", book="potential", sees=("position", "angle"))
+ELASTIC = Effect(name="spring", book="potential", depends_on=("position", "angle"))
 """The declaration of a spring without a damper, as a force."""
 
 
 class Rod(Model):
     """A light, rigid rod, which keeps its ends at a given distance."""
 
-    kind: ClassVar[Kind] = Kind(swings=True, pull="rod force")
+    kind: ClassVar[Kind] = Kind(swings=True, force_name="rod force")
 
     type: Literal["rod"]
     ends: tuple[End, End]
@@ -58,7 +58,7 @@ class Rod(Model):
 class Rope(Model):
     """A light, inextensible rope: it pulls and never pushes."""
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, pull="tension")
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, force_name="tension")
 
     type: Literal["rope"]
     ends: tuple[End, End]
@@ -77,7 +77,7 @@ class Pulley(Model):
     It may run over several pegs. A peg that is a body, or a point of one, is a movable pulley.
     """
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, pull="tension")
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, force_name="tension")
 
     type: Literal["pulley"]
     ends: tuple[End, End]
@@ -121,7 +121,7 @@ class Rail(Model):
 class Slot(Model):
     """A smooth, straight slot in a body, or a rail on it, which turns with that body."""
 
-    kind: ClassVar[Kind] = Kind(turns=True, points_meet=True)
+    kind: ClassVar[Kind] = Kind(exerts_torque=True, points_meet=True)
 
     type: Literal["slot"]
     ends: tuple[End, BodyEnd]
@@ -135,7 +135,7 @@ class Slot(Model):
 class Weld(Model):
     """A rigid connection of two bodies, or of a body and the plane."""
 
-    kind: ClassVar[Kind] = Kind(turns=True, quantities=FIXED)
+    kind: ClassVar[Kind] = Kind(exerts_torque=True, quantities=FIXED)
 
     type: Literal["weld"]
     ends: tuple[End, End]
@@ -149,7 +149,7 @@ class Weld(Model):
 class Motor(Model):
     """A driven pin: it turns its second body relative to its first, or to the plane."""
 
-    kind: ClassVar[Kind] = Kind(drives=True, turns=True, points_meet=True, quantities=FIXED)
+    kind: ClassVar[Kind] = Kind(drives=True, exerts_torque=True, points_meet=True, quantities=FIXED)
 
     type: Literal["motor"]
     ends: tuple[End, End]
@@ -167,7 +167,7 @@ class Winding(Model):
     """A light, inextensible string wound on a wheel; it does not slip, and never pushes."""
 
     kind: ClassVar[Kind] = Kind(
-        goes_slack=True, turns=True, swings=True, points_meet=True, pull="tension"
+        goes_slack=True, exerts_torque=True, swings=True, points_meet=True, force_name="tension"
     )
 
     type: Literal["winding"]
@@ -187,7 +187,7 @@ class Spring(Model):
     It stores U = k x² / 2 + ∫ f dx. The nonlinear force f is optional.
     """
 
-    kind: ClassVar[Kind] = Kind(force=ELASTIC, pull="spring force")
+    kind: ClassVar[Kind] = Kind(force=ELASTIC, force_name="spring force")
 
     type: Literal["spring"]
     ends: tuple[End, End]
@@ -213,7 +213,7 @@ class Wire(Model):
     A wire whose ends meet is closed. A bead that reaches an open end ends the run.
     """
 
-    kind: ClassVar[Kind] = Kind(quantities={"tension": "N", "push": "N"}, pull="normal force")
+    kind: ClassVar[Kind] = Kind(quantities={"tension": "N", "push": "N"}, force_name="normal force")
 
     type: Literal["wire"]
     bead: End

@@ -40,7 +40,7 @@ class Kind:
     """Whether it only pulls, so that it can go slack, and become taut with a jerk."""
     drives: bool = False
     """Whether it imposes a motion on its ends under any load, and does work."""
-    turns: bool = False
+    exerts_torque: bool = False
     """Whether it exerts a torque on a body that it holds by the centre."""
     swings: bool = False
     """Whether it swings sideways while it is taut, as light lines do."""
@@ -48,7 +48,7 @@ class Kind:
     """Whether its ends must meet at the start, instead of having a certain distance."""
     quantities: Mapping[str, str] = field(default_factory=_of_a_line)
     """Its quantities, with their units."""
-    pull: str = "reaction"
+    force_name: str = "reaction"
     """The name of its force in a free-body diagram."""
 
 

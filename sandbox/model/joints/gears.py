@@ -15,7 +15,7 @@ class Gear(Model):
     It couples only the angles; pins have to hold the wheels.
     """
 
-    kind: ClassVar[Kind] = Kind(turns=True, points_meet=True, quantities={"torque": "N·m"})
+    kind: ClassVar[Kind] = Kind(exerts_torque=True, points_meet=True, quantities={"torque": "N·m"})
 
     type: Literal["gear"]
     ends: tuple[BodyName, BodyName]
@@ -31,7 +31,9 @@ class Gear(Model):
 class Rack(Model):
     """A rack and the wheel that meshes with it: the rack moves by r θ."""
 
-    kind: ClassVar[Kind] = Kind(turns=True, points_meet=True, pull="force of the teeth")
+    kind: ClassVar[Kind] = Kind(
+        exerts_torque=True, points_meet=True, force_name="force of the teeth"
+    )
 
     type: Literal["rack"]
     ends: tuple[End, BodyName]

@@ -15,7 +15,7 @@ class Stop(Model):
     They push along the direction and, unlike a rail, hold nothing across it.
     """
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, points_meet=True, pull="push of the stop")
+    kind: ClassVar[Kind] = Kind(goes_slack=True, points_meet=True, force_name="push of the stop")
 
     type: Literal["stop"]
     ends: tuple[End, End]
@@ -32,7 +32,7 @@ class AngleStop(Model):
     """Limits of an angle, as of a knee, a door or a ratchet."""
 
     kind: ClassVar[Kind] = Kind(
-        goes_slack=True, turns=True, points_meet=True, quantities={"torque": "N·m"}
+        goes_slack=True, exerts_torque=True, points_meet=True, quantities={"torque": "N·m"}
     )
 
     type: Literal["angle_stop"]

@@ -16,21 +16,28 @@ from typing import Literal
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
-from sandbox.model.quantities import momentary
+from sandbox.model.quantities import momentary_quantities
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.compared_runs import Watched, by_check, never, record, scaled, watched
+from sandbox.physics.accuracy.compared_runs import (
+    Watched,
+    check_item,
+    never,
+    record,
+    scaled,
+    watched,
+)
 from sandbox.physics.accuracy.refinement_search import Refiner, refine
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.accuracy.setting_search import own_run
 from sandbox.physics.accuracy.step_refinement import (
     Refinement,
-    foot,
-    held_against,
-    judged,
+    lowest_doubled_rate,
+    relative_to,
     step_durations,
+    with_errors,
 )
-from sandbox.physics.accuracy.trusted_digits import Trust, trusts
+from sandbox.physics.accuracy.trusted_digits import Trust, trust_of
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
@@ -63,10 +70,10 @@ Stage = Literal[
 class Progress:
     """The share that is done, and the next step, with `{scheme}` for the scheme that is tried."""
 
-    share: float
+    fraction: float
     stage: Stage
     scheme: str = ""
-    now: Message = NOTHING
+    detail: Message = NOTHING
     """The stage in more detail, if there is any: the run that is about to be taken."""
 
 
@@ -91,7 +98,7 @@ class ErrorBudget:
 
     check: int
     """The index of the check in the level."""
-    off: float
+    difference: float
     """The numerical error of the measured value [its unit]."""
     total: float | None
     """The check's error; None where its formula does not apply, or its instant never occurs."""
@@ -117,8 +124,8 @@ Finding = Progress | WorkPrecisionPoint | CurrentSetting | ErrorBudget | Trust |
 def study(level: Level, values: Values) -> Iterator[Finding]:
     """Yield the errors and costs of other settings, then the parts of the run's error."""
     try:
-        yield from _others(level, values)
-        yield from _own(level, values)
+        yield from _other_schemes(level, values)
+        yield from _own_error(level, values)
     except SandboxError as error:
         yield Failed(error.message)
 
@@ -126,7 +133,7 @@ def study(level: Level, values: Values) -> Iterator[Finding]:
 def split(level: Level, values: Values) -> Iterator[Finding]:
     """Yield the parts of the run's error."""
     try:
-        yield from _own(level, values)
+        yield from _own_error(level, values)
     except SandboxError as error:
         yield Failed(error.message)
 
@@ -134,18 +141,18 @@ def split(level: Level, values: Values) -> Iterator[Finding]:
 def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -> Iterator[Finding]:
     """Yield the cheapest setting that reaches an accuracy, within a work of about [s]."""
     stage: Stage = "looking for the cheapest setting"
-    told: SimpleQueue[Progress | None] = SimpleQueue()
+    reports: SimpleQueue[Progress | None] = SimpleQueue()
 
-    def tell(share: float, now: Message) -> None:
-        told.put(Progress(share, stage, now=now))
+    def report(fraction: float, detail: Message) -> None:
+        reports.put(Progress(fraction, stage, detail=detail))
 
     yield Progress(0.0, stage)
     with ThreadPoolExecutor(1) as thread:
-        found = thread.submit(calibrate, level, values, target, seconds, tell)
-        found.add_done_callback(lambda _: told.put(None))
-        yield from iter(told.get, None)
+        future = thread.submit(calibrate, level, values, target, seconds, report)
+        future.add_done_callback(lambda _: reports.put(None))
+        yield from iter(reports.get, None)
     try:
-        yield found.result()
+        yield future.result()
     except SandboxError as error:
         yield Failed(error.message)
 
@@ -156,38 +163,38 @@ def trusted(level: Level, values: Values, names: Iterable[str]) -> tuple[Trust, 
     Raises `SimulationError` if it does not run at its own step, or at half of that.
     """
     items = [Watched(name) for name in names]
-    return tuple(trusts(list(_halved(level, values, items)), items))
+    return tuple(trust_of(list(_runs_to_compare(level, values, items)), items))
 
 
-def _own(level: Level, values: Values) -> Iterator[Finding]:
+def _own_error(level: Level, values: Values) -> Iterator[Finding]:
     """Run at half the level's own rate, at that rate, and at twice that.
 
     The error of the run is that of its checks and of all motion, since a check may hold only at
     instants at which nothing moves.
     """
     yield Progress(0.9, "halving the step")
-    items = [by_check(check, values) for check in level.checks]
+    items = [check_item(check, values) for check in level.checks]
     judging = watched(level, values)
-    drawn = [Watched(found.name) for found in islice(momentary(level), MANY)]
+    drawn = [Watched(found.name) for found in islice(momentary_quantities(level), MANY)]
     own = level.stepping
-    traces = list(_halved(level, values, [*items, *judging, *drawn]))
-    yield from trusts(traces, drawn)
+    traces = list(_runs_to_compare(level, values, [*items, *judging, *drawn]))
+    yield from trust_of(traces, drawn)
     results = zip(grade(traces[-2]), grade(traces[-1]), strict=True)
     for index, (item, result) in enumerate(zip(items, results, strict=True)):
         if found := extrapolated(traces, item):
             *_, numerical, rest = found.relative
-            yield _split(index, result, found.of[-2], numerical, rest)
+            yield _budget(index, result, found.absolute[-2], numerical, rest)
     [step] = brief_costs(partial(make_world, level, values, own))
     yield CurrentSetting(own.scheme, own.rate, _error(traces, judging), step * own.rate)
 
 
-def _error(traces: Sequence[Trace], wanted: Sequence[Watched]) -> float:
+def _error(traces: Sequence[Trace], watched_items: Sequence[Watched]) -> float:
     """Return the largest relative error of the run before the last; 0 if nothing moves."""
-    moving = scaled(wanted, traces[-2])
-    return judged(traces, moving).errors[-2] if moving else 0.0
+    moving = scaled(watched_items, traces[-2])
+    return with_errors(traces, moving).errors[-2] if moving else 0.0
 
 
-def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[Trace]:
+def _runs_to_compare(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[Trace]:
     """Yield a run with twice the step, if possible, one with the level's own, and one with half.
 
     The first only serves to find the order with which the error falls.
@@ -200,7 +207,7 @@ def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[
     yield record(level, values, level.stepping.model_copy(update={"rate": 2 * rate}), items)
 
 
-def _split(
+def _budget(
     index: int, results: tuple[Result, Result], off: float, numerical: float, rest: float
 ) -> ErrorBudget:
     """Split a check's error, given its results at the step and at half of it."""
@@ -212,37 +219,37 @@ def _split(
     return ErrorBudget(index, off, coarse.error, model, numerical, remaining)
 
 
-def _others(level: Level, values: Values) -> Iterator[Finding]:
+def _other_schemes(level: Level, values: Values) -> Iterator[Finding]:
     """Refine the step of each scheme, and compare all with the best."""
-    starts = list(_starts(level))
-    wanted: Sequence[Watched] = watched(level, values)
-    if own := own_run(level, values, wanted):
-        wanted = scaled(wanted, own)
+    starts = list(_first_steppings(level))
+    watched_items: Sequence[Watched] = watched(level, values)
+    if own := own_run(level, values, watched_items):
+        watched_items = scaled(watched_items, own)
     refinements: list[Refinement] = []
     for index, start in enumerate(starts):
         yield Progress((1 + index) / (2 + len(starts)), "{scheme} at many rates", start.scheme)
-        refiner = Refiner(level, values, start, wanted, FINEST, known=own)
+        refiner = Refiner(level, values, start, watched_items, FINEST, known_run=own)
         refine([refiner], REFINING, never)
         refinements += [refiner.refinement] if refiner.refinement else []
     if not refinements:
         return
-    best = min(refinements, key=_doubt)
+    best = min(refinements, key=_reference_rank)
     steps = step_durations(
         level, values, *(refinement.traces[-1].stepping for refinement in refinements)
     )
     for refinement, step in zip(refinements, steps, strict=True):
-        shown = refinement if refinement is best else held_against(refinement, best, wanted)
-        yield from _points(shown, step)
+        shown = refinement if refinement is best else relative_to(refinement, best, watched_items)
+        yield from _curve(shown, step)
 
 
-def _doubt(refinement: Refinement) -> tuple[bool, float]:
+def _reference_rank(refinement: Refinement) -> tuple[bool, float]:
     """Return a key that ranks a worse reference higher: pymunk's impacts agree by chance."""
     last = refinement.traces[-1]
     naive = last.stepping.is_stock and last.level.effects.contact is not None
     return naive, refinement.errors[-1]
 
 
-def _points(refinement: Refinement, step: float) -> Iterator[WorkPrecisionPoint]:
+def _curve(refinement: Refinement, step: float) -> Iterator[WorkPrecisionPoint]:
     trace: Trace
     for trace, error in zip(refinement.traces, refinement.errors, strict=True):
         rate = trace.stepping.rate
@@ -250,8 +257,8 @@ def _points(refinement: Refinement, step: float) -> Iterator[WorkPrecisionPoint]
             yield WorkPrecisionPoint(trace.stepping.scheme, rate, error, step * rate)
 
 
-def _starts(level: Level) -> Iterator[Stepping]:
+def _first_steppings(level: Level) -> Iterator[Stepping]:
     """Yield every scheme that the level can use, at a low rate."""
     for scheme in usable(level):
-        update = {"scheme": scheme, "rate": foot(level.stepping.rate)}
+        update = {"scheme": scheme, "rate": lowest_doubled_rate(level.stepping.rate)}
         yield level.stepping.model_copy(update=update)

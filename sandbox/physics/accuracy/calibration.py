@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from sandbox.model.expressions import Values
 from sandbox.model.level import FINEST, Level
 from sandbox.model.translatable_message import Message, both
-from sandbox.physics.accuracy.chaos_detection import chaotic, foretold
+from sandbox.physics.accuracy.chaos_detection import chaotic, prediction_horizon
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, watched
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.offered_settings import REAL_TIME, Offer, SearchResult
@@ -38,14 +38,14 @@ class Setting:
     """The quantity with the largest error; empty if no quantity has any."""
 
     @property
-    def drawn(self) -> Offer:
+    def for_drawing(self) -> Offer:
         """The setting for a run that is drawn, however long that takes."""
-        return self.chosen.smooth
+        return self.chosen.at_drawing_rate
 
     @property
-    def playable(self) -> Offer:
+    def for_playing(self) -> Offer:
         """The setting for a run that is watched live."""
-        return (self.in_real_time or self.chosen).smooth
+        return (self.in_real_time or self.chosen).at_drawing_rate
 
     def __str__(self) -> str:
         text = f"accuracy {self.target:g}: {self.chosen}, judged by {self.judged_by}"
@@ -80,17 +80,17 @@ def calibrate(
     _require_above_rounding(target)
     values = level.defaults if values is None else values
     seeker = Seeker(level, values, target, budget, progress, stop)
-    wanted, judged_by = _judges(level, values, also)
-    found = seeker.found(wanted)
-    if found.chosen.error <= target:
-        return _setting(found, judged_by)
-    until = _predictable(found, target)
-    if chaos := chaotic(found.offers.fine, stop):
-        judged_by = _judged_by_energy(chaos, until)
-        found = seeker.found((_ENERGY,))
-    if found.chosen.error > target:
-        raise _refused(level, found, target, judged_by, until)
-    return _setting(found, judged_by)
+    items, judged_by = _judging_items(level, values, also)
+    result = seeker.search(items)
+    if result.chosen.error <= target:
+        return _to_setting(result, judged_by)
+    horizon = _horizon(result, target)
+    if chaos := chaotic(result.offers.fine, stop):
+        judged_by = _energy_reason(chaos, horizon)
+        result = seeker.search((_ENERGY,))
+    if result.chosen.error > target:
+        raise _refused(level, result, target, judged_by, horizon)
+    return _to_setting(result, judged_by)
 
 
 def _require_above_rounding(target: float) -> None:
@@ -102,59 +102,61 @@ def _require_above_rounding(target: float) -> None:
         )
 
 
-def _judged_by_energy(chaos: Message, until: Message) -> Message:
+def _energy_reason(chaos: Message, horizon: Message) -> Message:
     return Message(
-        "its energy, since it is chaotic: {chaos}; positions are {until}", chaos=chaos, until=until
+        "its energy, since it is chaotic: {chaos}; positions are {until}",
+        chaos=chaos,
+        until=horizon,
     )
 
 
-def _predictable(found: SearchResult, target: float) -> Message:
+def _horizon(result: SearchResult, target: float) -> Message:
     """Say up to what time a run can be predicted to an accuracy."""
-    if known := foretold(found.offers.refinements, found.wanted, target):
-        return Message("predictable until t = {t:.3g} s", t=known)
+    if t := prediction_horizon(result.offers.refinements, result.items, target):
+        return Message("predictable until t = {t:.3g} s", t=t)
     return Message("not predictable at all")
 
 
-def _setting(found: SearchResult, judged_by: str) -> Setting:
+def _to_setting(result: SearchResult, judged_by: str) -> Setting:
     """Return the result of a search as a setting."""
-    offer = found.timed()
-    affordable = None if offer.smooth.cost <= REAL_TIME else found.in_real_time()
-    verified = found.chosen.trace is not None
-    return Setting(found.target, offer, judged_by, verified, affordable, found.decided_by)
+    offer = result.timed()
+    affordable = None if offer.at_drawing_rate.cost <= REAL_TIME else result.in_real_time()
+    verified = result.chosen.trace is not None
+    return Setting(result.target, offer, judged_by, verified, affordable, result.decided_by)
 
 
 def _refused(
-    level: Level, found: SearchResult, target: float, judged_by: Message, until: Message
+    level: Level, result: SearchResult, target: float, judged_by: Message, horizon: Message
 ) -> AccuracyError:
     """Return the error for an accuracy that cannot be reached; it names the best setting."""
-    if found.decided_by:
+    if result.decided_by:
         judged_by = Message(
-            "{judged_by}, of which {name} decided", judged_by=judged_by, name=found.decided_by
+            "{judged_by}, of which {name} decided", judged_by=judged_by, name=result.decided_by
         )
-    judged = found.level.duration(found.values)
-    if judged < level.duration(found.values):
-        until = Message(
+    judged = result.level.duration(result.values)
+    if judged < level.duration(result.values):
+        horizon = Message(
             "{until}; smaller steps bring the first {t:.2g} s no closer to a result",
-            until=until,
+            until=horizon,
             t=judged,
         )
     return AccuracyError(
         "an accuracy of {target:g} cannot be reached; the best is {timed}, judged by"
         " {judged_by}; to {target:g} it is {until}",
         target=target,
-        timed=found.timed().told,
+        timed=result.timed().in_words,
         judged_by=judged_by,
-        until=until,
+        until=horizon,
     )
 
 
-def _judges(
+def _judging_items(
     level: Level, values: Values, also: Sequence[str]
 ) -> tuple[tuple[Watched, ...], Message]:
     """Return the quantities by which the error is judged, and their description."""
-    wanted = watched(level, values, also)
-    if not wanted:
+    items = watched(level, values, also)
+    if not items:
         raise AccuracyError("nothing moves freely, so there is no accuracy to reach")
     checked = any(applies(check, values) for check in level.checks)
     parts = [Message("its checks")] * checked + [Message("what is recorded")] * bool(also)
-    return wanted, both([*parts, Message("positions and velocities")])
+    return items, both([*parts, Message("positions and velocities")])

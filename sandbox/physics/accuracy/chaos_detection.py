@@ -10,7 +10,7 @@ import numpy as np
 
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.accuracy.compared_runs import BLOCK, Stop, Watched, departure
-from sandbox.physics.accuracy.event_timing_errors import timely
+from sandbox.physics.accuracy.event_timing_errors import time_without_late_impact
 from sandbox.physics.accuracy.exceptions import Cancelled
 from sandbox.physics.accuracy.step_refinement import Refinement
 from sandbox.physics.measuring.recording import Trace
@@ -78,12 +78,14 @@ def _growth(run: Trace, stop: Stop) -> list[float]:
     return grown
 
 
-def foretold(refinements: Sequence[Refinement], wanted: Sequence[Watched], error: float) -> float:
+def prediction_horizon(
+    refinements: Sequence[Refinement], items: Sequence[Watched], error: float
+) -> float:
     """Return until when the two finest runs of the best refinement agree on positions [s].
 
     They agree to within an error, and no impact before that time is found late enough to cause a
     larger one.
     """
     coarse, fine = refinements[0].traces[-2:]
-    times = (departure(coarse, fine, item, error) for item in wanted)
-    return min([timely(fine, wanted, error), *(t for t in times if t is not None)])
+    times = (departure(coarse, fine, item, error) for item in items)
+    return min([time_without_late_impact(fine, items, error), *(t for t in times if t is not None)])

@@ -84,34 +84,34 @@ def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Wat
 
 def checked(level: Level, values: Values) -> tuple[Watched, ...]:
     """Return the quantities of the checks that apply."""
-    found = (by_check(check, values) for check in level.checks if applies(check, values))
+    found = (check_item(check, values) for check in level.checks if applies(check, values))
     return tuple(dict.fromkeys(found))
 
 
-def scaled(wanted: Sequence[Watched], trace: Trace) -> tuple[Watched, ...]:
+def scaled(items: Sequence[Watched], trace: Trace) -> tuple[Watched, ...]:
     """Return the watched quantities with scales, leaving out motion that does not occur in a run.
 
     A coordinate that stays small is compared relative to a share of the scene's largest one.
     """
     largest: dict[str, float] = {}
-    for item in wanted:
+    for item in items:
         if item.motion:
             kind = _kind(item)
             largest[kind] = max(largest.get(kind, 0.0), _largest(trace.columns[item.quantity]))
     return tuple(
         replace(item, scale=LITTLE * largest[_kind(item)]) if item.motion else item
-        for item in wanted
+        for item in items
         if not item.motion or np.ptp(trace.columns[item.quantity]) > 0
     )
 
 
 def _kind(item: Watched) -> str:
     """Return the kind of motion: position, velocity, angle or angular_velocity."""
-    *_, before, last = item.quantity.rsplit(".", 2)
-    return before if last in ("x", "y") else last
+    *_, component_of, last = item.quantity.rsplit(".", 2)
+    return component_of if last in ("x", "y") else last
 
 
-def by_check(check: Check, values: Values) -> Watched:
+def check_item(check: Check, values: Values) -> Watched:
     """Return the quantity of a check."""
     return Watched(check.quantity, check.at, least_scale(check, values))
 
@@ -125,7 +125,7 @@ def motion(level: Level) -> Iterator[Watched]:
             yield from (Watched(f"{name}.{part}", motion=True) for part in parts)
 
 
-def lasting(level: Level, values: Values, duration: float | None) -> Level:
+def at_least_lasting(level: Level, values: Values, duration: float | None) -> Level:
     """Return a level with at least a given duration [s]."""
     if duration is None or duration <= level.duration(values):
         return level
@@ -141,27 +141,28 @@ def record(
     level: Level,
     values: Values,
     stepping: Stepping,
-    wanted: Sequence[Watched],
+    items: Sequence[Watched],
     stop: Stop = never,
-    seen: float = SEEN,
-    look_at: Callable[[Recorder], None] | None = None,
+    observation_rate: float = SEEN,
+    inspect: Callable[[Recorder], None] | None = None,
 ) -> Trace:
     """Run a level for its duration and record the watched quantities.
 
-    `seen` is the rate of observations, or up to twice that [Hz]; every step is observed if the run
-    is slower than that, or if a watched quantity depends on every step. `look_at` is called now and
-    then. Raises `Cancelled` if `stop` returned true, and `SimulationError` if the run had to stop.
+    `observation_rate` is the rate of observations, or up to twice that [Hz]; every step is observed
+    if the run is slower than that, or if a watched quantity depends on every step. `inspect` is
+    called now and then. Raises `Cancelled` if `stop` returned true, and `SimulationError` if the
+    run had to stop.
     """
     world = make_world(level, values, stepping)
-    names = dict.fromkeys(name for item in wanted for name in _needed(item))
+    names = dict.fromkeys(name for item in items for name in _recorded_names(item))
     recorder = Recorder(world, names)
-    all_ = any(_needs_all(level, item) for item in wanted)
-    steps = 1 if all_ else stride(stepping.rate, seen)
-    for look in range(-(-count_steps(world) // steps)):  # rounded up, to reach the end
-        if look % BLOCK == 0 and stop():
+    every_step = any(_needs_every_step(level, item) for item in items)
+    steps = 1 if every_step else stride(stepping.rate, observation_rate)
+    for index in range(-(-count_steps(world) // steps)):  # rounded up, to reach the end
+        if index % BLOCK == 0 and stop():
             raise Cancelled
-        if look_at and look and look % BLOCK == 0:
-            look_at(recorder)
+        if inspect and index and index % BLOCK == 0:
+            inspect(recorder)
         world.advance(steps)  # instants need samples at equal intervals
         recorder.note()
     return recorder.trace
@@ -171,7 +172,7 @@ def record_around(
     level: Level,
     values: Values,
     stepping: Stepping,
-    wanted: Sequence[Watched],
+    items: Sequence[Watched],
     times: Iterable[float],
     stop: Stop = never,
     parts: int = 1,
@@ -181,7 +182,9 @@ def record_around(
     For the other parameters and the errors see `record`.
     """
     world = make_world(level, values, stepping)
-    recorder = Recorder(world, dict.fromkeys(name for item in wanted for name in _needed(item)))
+    recorder = Recorder(
+        world, dict.fromkeys(name for item in items for name in _recorded_names(item))
+    )
     rate, count, done = stepping.rate / parts, count_steps(world) // parts, 0
     spans = (np.array([time - 2 / SEEN, time + 2 / SEEN]) * rate for time in times)
     near = {
@@ -196,42 +199,42 @@ def record_around(
     return recorder.trace
 
 
-def _needed(item: Watched) -> Iterator[str]:
+def _recorded_names(item: Watched) -> Iterator[str]:
     """Yield the quantities to record: the quantity itself, and a coordinate's derivatives."""
     yield from needed_at(item.quantity, item.at)
     yield from item.rates or ()
 
 
-def stride(rate: float, seen: float = SEEN) -> int:
+def stride(rate: float, observation_rate: float = SEEN) -> int:
     """Return the number of steps between observations, given both rates [Hz].
 
     It is a power of two, so that runs share instants.
     """
-    return 1 << int(log2(max(rate / seen, 1)))
+    return 1 << int(log2(max(rate / observation_rate, 1)))
 
 
-def _needs_all(level: Level, item: Watched) -> bool:
+def _needs_every_step(level: Level, item: Watched) -> bool:
     """Whether a quantity depends on every step."""
     known = quantity(item.quantity, level)
-    return isinstance(item.at, ContactEvent | SeparationEvent) or not known.momentary
+    return isinstance(item.at, ContactEvent | SeparationEvent) or not known.is_momentary
 
 
-def apart(one: Trace, other: Trace, item: Watched) -> float | None:
+def largest_difference(one: Trace, other: Trace, item: Watched) -> float | None:
     """Return the largest difference of a quantity between two runs, at shared times [its unit].
 
     None if the instant occurs in neither run, infinite if it occurs in only one.
     """
-    found, wanted = (samples(trace, item.quantity, item.at) for trace in (one, other))
-    if found is None or wanted is None:
-        return None if found is wanted else np.inf
+    found, items = (samples(trace, item.quantity, item.at) for trace in (one, other))
+    if found is None or items is None:
+        return None if found is items else np.inf
     if item.at is not None:
-        return _largest(found[1] - wanted[1])
-    (t, some), (times, many) = found, wanted
-    shared, places = shared_times(t, times)
-    off = some[shared] - many[places]
-    if item.motion and "velocity" in _kind(item) and len(off):
-        off[_jumping((t, some), (times, many), t[shared])] = 0.0
-    return _largest(off)
+        return _largest(found[1] - items[1])
+    (t, values), (times, other_values) = found, items
+    shared, indices = shared_times(t, times)
+    difference = values[shared] - other_values[indices]
+    if item.motion and "velocity" in _kind(item) and len(difference):
+        difference[_near_jumps((t, values), (times, other_values), t[shared])] = 0.0
+    return _largest(difference)
 
 
 def departure(one: Trace, other: Trace, item: Watched, error: float) -> float | None:
@@ -241,28 +244,30 @@ def departure(one: Trace, other: Trace, item: Watched, error: float) -> float | 
     """
     if item.at is not None or (item.motion and "velocity" in _kind(item)):
         return None
-    (t, some), (times, many) = ((r.t, r.columns[item.quantity]) for r in (one, other))
-    shared, places = shared_times(t, times)
-    unit = scale(size(other, item), 0.0)
-    apart = np.flatnonzero(~(np.abs(some[shared] - many[places]) <= error * unit))
-    return float(t[shared][max(apart[0] - 1, 0)]) if len(apart) else None
+    (t, values), (times, other_values) = ((r.t, r.columns[item.quantity]) for r in (one, other))
+    shared, indices = shared_times(t, times)
+    reference = error_scale(item_scale(other, item), 0.0)
+    differing = np.flatnonzero(
+        ~(np.abs(values[shared] - other_values[indices]) <= error * reference)
+    )
+    return float(t[shared][max(differing[0] - 1, 0)]) if len(differing) else None
 
 
 def shared_times(t: Array, times: Array) -> tuple[Integers, Integers]:
     """Return the indices of times that are among others, and their indices there."""
-    places = np.searchsorted(times, t * (1 - SAME)).clip(max=len(times) - 1)
-    shared = np.flatnonzero(np.abs(times[places] - t) <= SAME * t)
-    return shared, places[shared]
+    indices = np.searchsorted(times, t * (1 - SAME)).clip(max=len(times) - 1)
+    shared = np.flatnonzero(np.abs(times[indices] - t) <= SAME * t)
+    return shared, indices[shared]
 
 
-def _jumping(one: tuple[Array, Array], other: tuple[Array, Array], at: Array) -> Integers:
+def _near_jumps(one: tuple[Array, Array], other: tuple[Array, Array], at: Array) -> Integers:
     """Return the indices of times near a jump in either of two runs, each (times, values)."""
-    found = np.concatenate([_jumps(*run) for run in (one, other)])
-    if not len(found):
+    times = np.concatenate([_jumps(*run) for run in (one, other)])
+    if not len(times):
         return np.empty(0, dtype=np.intp)
-    wide = max(_usual_interval(t) for t, _ in (one, other))
-    near = np.abs(at[:, None] - found).min(axis=1)
-    return np.flatnonzero(near <= wide * (1 + SAME))
+    interval = max(_usual_interval(t) for t, _ in (one, other))
+    near = np.abs(at[:, None] - times).min(axis=1)
+    return np.flatnonzero(near <= interval * (1 + SAME))
 
 
 def _usual_interval(t: Array) -> float:
@@ -281,13 +286,13 @@ def jumps(values: Array) -> Array:
     change = np.abs(np.diff(values))
     padded = np.concatenate(([0.0, 0.0], change, [0.0, 0.0]))
     around = np.maximum(padded[:-4], padded[4:])
-    apart = np.abs(values[2:] - values[:-2])  # a spike is not a jump
-    stays = np.minimum(np.append(apart, np.inf), np.append(np.inf, apart))
-    sharp = (change > JUMPS * around) & (stays > change / 2)
+    over_two = np.abs(values[2:] - values[:-2])  # a spike is not a jump
+    lasting = np.minimum(np.append(over_two, np.inf), np.append(np.inf, over_two))
+    sharp = (change > JUMPS * around) & (lasting > change / 2)
     return np.asarray(sharp & (change > ROUNDING * np.abs(values).max(initial=0.0)))
 
 
-def size(trace: Trace, item: Watched) -> float:
+def item_scale(trace: Trace, item: Watched) -> float:
     """Return the scale of a quantity's errors in its unit: its largest value, or a given scale.
 
     0 if it has neither.
@@ -296,16 +301,16 @@ def size(trace: Trace, item: Watched) -> float:
     return max(_largest(found[1]) if found else 0.0, item.scale)
 
 
-def unit(traces: Sequence[Trace], item: Watched, error: float) -> float:
+def error_unit(traces: Sequence[Trace], item: Watched, error: float) -> float:
     """Return the scale of the last run's error; each of the runs is finer than the one before.
 
     1 if the value itself vanishes with the step: then zero is expected, and the error is absolute.
     """
-    before, last = (size(trace, item) for trace in traces[-2:])
-    return 1.0 if last < FADING * before else scale(last, error)
+    before, last = (item_scale(trace, item) for trace in traces[-2:])
+    return 1.0 if last < FADING * before else error_scale(last, error)
 
 
-def scale(size: float, error: float) -> float:
+def error_scale(size: float, error: float) -> float:
     """Return the scale of an error: the quantity's size, or 1 if that is not above the error."""
     return size if max(ZERO, error) < size < np.inf else 1.0
 

@@ -12,7 +12,7 @@ from time import thread_time
 
 from sandbox.model.number_bounds import Duration
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, record, scaled
-from sandbox.physics.accuracy.step_refinement import Refinement, judged
+from sandbox.physics.accuracy.step_refinement import Refinement, with_errors
 from sandbox.physics.measuring.recording import Recorder, Trace
 from sandbox.physics.state.errors import SimulationError
 
@@ -32,11 +32,11 @@ COARSER = (4, 2)
 
 
 class OutOfReach(Exception):  # noqa: N818 (what was found rather than an error)
-    """An accuracy is out of reach, as `runs` show, of what is judged, `wanted`, with its scales."""
+    """An accuracy is out of reach, as `runs` show, of what is judged, `items`, with its scales."""
 
-    def __init__(self, runs: Refinement, wanted: Sequence[Watched]) -> None:
+    def __init__(self, runs: Refinement, items: Sequence[Watched]) -> None:
         super().__init__()
-        self.runs, self.wanted = runs, wanted
+        self.runs, self.items = runs, items
 
 
 @dataclass(slots=True)
@@ -46,31 +46,31 @@ class Doubt:
     Raises `OutOfReach` if the accuracy is, and `Cancelled` if `stop` returned true.
     """
 
-    wanted: Sequence[Watched]
+    items: Sequence[Watched]
     target: float
     stop: Stop
-    begun: float
+    started: float
     """The `thread_time` at which the search began, but for the time of the look [s]."""
     budget: float
     """The work of the search [s]."""
-    _done: bool = False
+    _is_done: bool = False
 
     def __call__(self, run: Recorder) -> None:
         """Look at the run so far, if it is time to."""
         now = thread_time()
-        if not self._done and now - self.begun > SLOW * self.budget:
-            self._done = True
+        if not self._is_done and now - self.started > SLOW * self.budget:
+            self._is_done = True
             if run.trace.stepping.rate >= COARSER[0]:
-                self._look(run.trace)
-            self.begun += thread_time() - now
+                self._compare_beginnings(run.trace)
+            self.started += thread_time() - now
 
-    def _look(self, own: Trace) -> None:
+    def _compare_beginnings(self, own: Trace) -> None:
         """Take the beginning of a run at half the rate and a quarter of it as well."""
         level = own.level.model_copy(update={"duration": Duration(float(own.t[-1]))})
-        rate, wanted = own.stepping.rate, scaled(self.wanted, own)
+        rate, items = own.stepping.rate, scaled(self.items, own)
         with suppress(SimulationError):
             coarser = (own.stepping.at(rate / parts) for parts in COARSER)
-            traces = [record(level, own.values, each, wanted, self.stop) for each in coarser]
-            runs = judged([*traces, own], wanted)
+            traces = [record(level, own.values, each, items, self.stop) for each in coarser]
+            runs = with_errors([*traces, own], items)
             if runs.errors[-1] > max(WILD, FAR * self.target):
-                raise OutOfReach(runs, wanted)
+                raise OutOfReach(runs, items)

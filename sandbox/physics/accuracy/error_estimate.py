@@ -61,4 +61,6 @@ def _estimate(traces: Sequence[Trace], item: Watched) -> Estimate | None:
     if errors is None:
         return None
     unit = traces[0].units[item.quantity]
-    return Estimate(item.quantity, item.at, unit, errors.relative[0], errors.of[0], errors.order)
+    return Estimate(
+        item.quantity, item.at, unit, errors.relative[0], errors.absolute[0], errors.order
+    )

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.accuracy.compared_runs import Watched, jumps, scale, size
+from sandbox.physics.accuracy.compared_runs import Watched, error_scale, item_scale, jumps
 from sandbox.physics.measuring.recording import Trace
 
 BY_CHANCE = 0.1
@@ -40,7 +40,7 @@ class RelativeError(NamedTuple):
     item: Watched | None = None
 
 
-def hidden(trace: Trace, wanted: Sequence[Watched]) -> RelativeError:
+def hidden_error(trace: Trace, watched_items: Sequence[Watched]) -> RelativeError:
     """Return the largest error of a run that its difference from a finer run may not show.
 
     A body whose impact is found one step late is displaced by the change of its velocity times the
@@ -50,12 +50,13 @@ def hidden(trace: Trace, wanted: Sequence[Watched]) -> RelativeError:
     step = 1 / trace.stepping.rate
     late = (
         (item, step * float(motion.jumps.max(initial=0.0)))
-        for item, motion in _found_late(trace, wanted)
+        for item, motion in _found_late(trace, watched_items)
     )
-    extremes = (item for item in wanted if item.quantity.rpartition(".")[2] in EXTREMES)
+    extremes = (item for item in watched_items if item.quantity.rpartition(".")[2] in EXTREMES)
     missed = ((item, _missed(trace.columns[item.quantity])) for item in extremes)
     errors = (
-        RelativeError(off / scale(size(trace, item), off), item) for item, off in (*late, *missed)
+        RelativeError(difference / error_scale(item_scale(trace, item), difference), item)
+        for item, difference in (*late, *missed)
     )
     return max(errors, key=lambda found: found.error, default=RelativeError())
 
@@ -63,18 +64,18 @@ def hidden(trace: Trace, wanted: Sequence[Watched]) -> RelativeError:
 def _missed(extreme: Array) -> float:
     """Return by how much a running extreme may be off where it slows down to a peak."""
     slope = np.abs(np.diff(extreme))
-    before, last, after = slope[:-2], slope[1:-1], slope[2:]
-    peak = (after == 0) & (last > 0) & (last < before)
-    return float((before - last)[peak].max(initial=0.0)) / 8
+    earlier, last, after = slope[:-2], slope[1:-1], slope[2:]
+    peak = (after == 0) & (last > 0) & (last < earlier)
+    return float((earlier - last)[peak].max(initial=0.0)) / 8
 
 
-def timely(trace: Trace, wanted: Sequence[Watched], error: float) -> float:
+def time_without_late_impact(trace: Trace, watched_items: Sequence[Watched], error: float) -> float:
     """Return until when no impact is found late enough to cause more than a given error [s]."""
-    until, step = float(trace.t[-1]), 1 / trace.stepping.rate
-    for item, motion in _found_late(trace, wanted):
-        late = motion.jumps * step > error * scale(size(trace, item), 0.0)
-        until = min(until, float(trace.t[:-1][late].min(initial=until)))
-    return until
+    end, step = float(trace.t[-1]), 1 / trace.stepping.rate
+    for item, motion in _found_late(trace, watched_items):
+        late = motion.jumps * step > error * error_scale(item_scale(trace, item), 0.0)
+        end = min(end, float(trace.t[:-1][late].min(initial=end)))
+    return end
 
 
 class Onsets(NamedTuple):
@@ -88,19 +89,19 @@ class Onsets(NamedTuple):
     """the rate from which they are certainly known well enough at each step [Hz]"""
 
 
-def onsets(trace: Trace, wanted: Sequence[Watched], rate: float, error: float) -> Onsets:
+def onsets(trace: Trace, watched_items: Sequence[Watched], rate: float, error: float) -> Onsets:
     """Return when forces set in or end so that a velocity may be off by more than an error.
 
     At a rate [Hz] it may be off by half of the change of the acceleration, which is seen in a finer
     run, times a step.
     """
-    known = {item.quantity: item for item in velocities(trace, wanted)}
+    known = {item.quantity: item for item in velocities(trace, watched_items)}
     times, items, needed = set[float](), [], 0.0
-    for place, motion in _motions(trace, wanted):
+    for place, motion in _motions(trace, watched_items):
         item = known.get(place.rates[0]) if place.rates else None
         if item is None:
             continue
-        rates = motion.changes / 2 / (error * scale(item.scale, 0.0))
+        rates = motion.changes / 2 / (error * error_scale(item.scale, 0.0))
         found = np.flatnonzero(rates > rate)
         if len(found):
             times.update(((motion.t[:-1] + motion.t[1:]) / 2)[found].tolist())
@@ -109,20 +110,24 @@ def onsets(trace: Trace, wanted: Sequence[Watched], rate: float, error: float) -
     return Onsets(sorted(times), items, needed)
 
 
-def velocities(trace: Trace, wanted: Sequence[Watched]) -> list[Watched]:
+def velocities(trace: Trace, watched_items: Sequence[Watched]) -> list[Watched]:
     """Return the velocities that are watched, with their largest values in a run as scales."""
-    found = [item for item in wanted if item.at is None and "velocity" in item.quantity]
-    return [replace(item, scale=size(trace, item)) for item in found]
+    found = [item for item in watched_items if item.at is None and "velocity" in item.quantity]
+    return [replace(item, scale=item_scale(trace, item)) for item in found]
 
 
-def _found_late(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watched, "_Motion"]]:
+def _found_late(
+    trace: Trace, watched_items: Sequence[Watched]
+) -> Iterator[tuple[Watched, "_Motion"]]:
     """Yield the coordinates of bodies whose impacts are not located in time.
 
     A joint that becomes taut is not an impact: it holds at the end of the same step.
     """
     if contact := trace.level.effects.contact:
         exact = contact.located or ()
-        yield from _motions(trace, [i for i in wanted if i.quantity.partition(".")[0] not in exact])
+        yield from _motions(
+            trace, [i for i in watched_items if i.quantity.partition(".")[0] not in exact]
+        )
 
 
 class _Motion(NamedTuple):
@@ -135,34 +140,34 @@ class _Motion(NamedTuple):
     @property
     def jumps(self) -> Array:
         """The sudden changes of the velocity between observations."""
-        return np.where(self._at_once, self._beyond, 0.0)
+        return np.where(self._is_sudden, self._unexplained, 0.0)
 
     @property
     def changes(self) -> Array:
         """The jumps of the acceleration between observations where the velocity does not jump."""
-        sharp = np.logical_and(jumps(self.acceleration), np.logical_not(self._at_once))
+        sharp = np.logical_and(jumps(self.acceleration), np.logical_not(self._is_sudden))
         return np.where(sharp, np.abs(np.diff(self.acceleration)), 0.0)
 
     @property
-    def _pushed(self) -> Array:
+    def _by_forces(self) -> Array:
         """The change of the velocity by forces between observations."""
         return (self.acceleration[1:] + self.acceleration[:-1]) / 2 * np.diff(self.t)
 
     @property
-    def _beyond(self) -> Array:
+    def _unexplained(self) -> Array:
         """The change of the velocity that forces do not explain."""
-        return np.abs(np.diff(self.velocity) - self._pushed)
+        return np.abs(np.diff(self.velocity) - self._by_forces)
 
     @property
-    def _at_once(self) -> Array:
+    def _is_sudden(self) -> Array:
         """The intervals in which that change exceeds what varying forces can cause."""
         changing = np.abs(np.diff(self.acceleration)) / 2 * np.diff(self.t)
         rounding = ROUNDING * np.abs(self.velocity).max(initial=0.0)
-        return self._beyond > changing + BY_CHANCE * np.abs(self._pushed) + rounding
+        return self._unexplained > changing + BY_CHANCE * np.abs(self._by_forces) + rounding
 
 
-def _motions(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watched, _Motion]]:
+def _motions(trace: Trace, watched_items: Sequence[Watched]) -> Iterator[tuple[Watched, _Motion]]:
     """Yield the coordinates that are watched, with their motion."""
-    for item in wanted:
+    for item in watched_items:
         if item.rates:
             yield item, _Motion(trace.t, *(trace.columns[name] for name in item.rates))

@@ -9,15 +9,15 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.compared_runs import Watched, stride
-from sandbox.physics.accuracy.event_timing_errors import hidden
+from sandbox.physics.accuracy.event_timing_errors import hidden_error
 from sandbox.physics.accuracy.refinement_search import at_rate
 from sandbox.physics.accuracy.step_refinement import (
     PARTS,
     SMOOTH,
     Refinement,
-    furthest,
-    in_step,
-    slowest,
+    largest_relative_difference,
+    lowest_rate,
+    shared_rate,
     step_durations,
 )
 from sandbox.physics.measuring.recording import Trace
@@ -44,16 +44,16 @@ class Offer:
     """The computing time per second of the scene [s]."""
 
     def __str__(self) -> str:
-        return str(self.told)
+        return str(self.in_words)
 
     @property
-    def smooth(self) -> "Offer":
+    def at_drawing_rate(self) -> "Offer":
         """The offer at a rate at which the motion does not look jerky; its error is no larger."""
         rate = max(self.stepping.rate, SMOOTH)
         return Offer(self.stepping.at(rate), self.error, self.cost * rate / self.stepping.rate)
 
     @property
-    def told(self) -> Message:
+    def in_words(self) -> Message:
         """The setting and its cost, in words."""
         s = self.stepping
         setting = at_rate(s.scheme, s.rate)
@@ -135,16 +135,18 @@ class Offers:
     def in_real_time(self, steps: Sequence[float]) -> Offer | None:
         """Return the most accurate setting that runs in real time, given the cost of a step."""
         pairs = zip(self.refinements, steps, strict=True)
-        found = (offer for refinement, step in pairs for offer in _affordable(step, refinement))
+        found = (offer for refinement, step in pairs for offer in _in_real_time(step, refinement))
         return min(found, key=lambda offer: offer.error, default=None)
 
-    def decisive(self, found: Candidate, wanted: Sequence[Watched]) -> str:
+    def deciding_quantity(self, found: Candidate, items: Sequence[Watched]) -> str:
         """Return the quantity with the largest error in a setting's run, or in the nearest run."""
-        *_, before, best = self.refinements[0].traces
+        *_, last_but_one, best = self.refinements[0].traces
         trace = found.trace or self._nearest(found.stepping)
-        unseen = hidden(best, wanted)
-        for run in (trace, before):  # the finest does not differ from itself
-            worst = max(furthest(run, best, wanted), unseen, key=lambda off: off[0])
+        unseen = hidden_error(best, items)
+        for run in (trace, last_but_one):  # the finest does not differ from itself
+            worst = max(
+                largest_relative_difference(run, best, items), unseen, key=lambda off: off[0]
+            )
             if worst[1] is not None:
                 return worst[1].quantity
         return ""
@@ -162,14 +164,14 @@ class SearchResult:
     level: Level
     values: Values
     target: float
-    wanted: Sequence[Watched]
+    items: Sequence[Watched]
     offers: Offers
     chosen: Candidate
 
     @property
     def decided_by(self) -> str:
         """The quantity with the largest error; empty if no quantity has any."""
-        return self.chosen.decided_by or self.offers.decisive(self.chosen, self.wanted)
+        return self.chosen.decided_by or self.offers.deciding_quantity(self.chosen, self.items)
 
     def timed(self) -> Offer:
         """Return the setting with its cost, which is timed."""
@@ -187,10 +189,12 @@ def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:
     if good := refinement.cheapest(target):
         trace, error = good
         return Candidate(trace.stepping, error, trace, work * trace.stepping.rate)
-    if refinement.believable(target):
+    if refinement.can_extrapolate(target):
         parts = 1 if refinement.traces[0].level.effects.contact else PARTS
-        needed = min(max(refinement.rate_for(target * CAUTION), slowest(last)), 2 * HIGHEST_RATE)
-        rate = in_step(needed, last.rate, parts)
+        needed = min(
+            max(refinement.rate_for(target * CAUTION), lowest_rate(last)), 2 * HIGHEST_RATE
+        )
+        rate = shared_rate(needed, last.rate, parts)
         if rate <= HIGHEST_RATE:
             return Candidate(last.at(rate), refinement.error_at(rate), None, work * rate)
     runs = zip(refinement.traces, refinement.errors, strict=True)
@@ -204,7 +208,7 @@ def _missed(trace: Trace, error: float, target: float, work: float) -> Candidate
     return Candidate(trace.stepping, error, trace, work * trace.stepping.rate)
 
 
-def _affordable(step: float, refinement: Refinement) -> Iterator[Offer]:
+def _in_real_time(step: float, refinement: Refinement) -> Iterator[Offer]:
     """Yield a refinement's settings that run in real time, given the cost of a step [s]."""
     fastest = REAL_TIME / max(step, REAL_TIME / HIGHEST_RATE)
     for trace, error in zip(refinement.traces, refinement.errors, strict=True):

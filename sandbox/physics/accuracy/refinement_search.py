@@ -13,10 +13,15 @@ from time import thread_time
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
 from sandbox.model.translatable_message import Message
-from sandbox.physics.accuracy.chaos_detection import foretold
+from sandbox.physics.accuracy.chaos_detection import prediction_horizon
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
 from sandbox.physics.accuracy.counted_step_cost import LOOK, counted_cost
-from sandbox.physics.accuracy.step_refinement import Refinement, held_against, judged, slowest
+from sandbox.physics.accuracy.step_refinement import (
+    Refinement,
+    lowest_rate,
+    relative_to,
+    with_errors,
+)
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
@@ -47,12 +52,12 @@ class Refiner:
     """The run."""
     stepping: Stepping
     """The stepping of the next run."""
-    wanted: Sequence[Watched]
+    items: Sequence[Watched]
     target: float
     """The watched quantities, and the largest error allowed."""
     refinement: Refinement | None = None
     """The runs so far; None if there are fewer than two."""
-    known: Trace | None = None
+    known_run: Trace | None = None
     """A run that was taken before, and is not taken again."""
     failure: SimulationError | None = None
     """Why the last run had to stop; None if it did not."""
@@ -67,17 +72,17 @@ class Refiner:
         """Take the next run; raise `Cancelled` if `stop` returned true."""
         self.failure = None
         try:
-            self._traces.append(self._next(stop))
+            self._traces.append(self._next_run(stop))
         except SimulationError as error:
             self._traces, self.refinement, self.failure = [], None, error
         if len(self._traces) > 1:
-            self.refinement = judged(self._traces, self.wanted)
+            self.refinement = with_errors(self._traces, self.items)
         self.stepping = self.stepping.model_copy(update={"rate": 2 * self.stepping.rate})
 
-    def _next(self, stop: Stop) -> Trace:
-        if self.known and self.known.stepping == self.stepping:
-            return self.known
-        return record(self.level, self.values, self.stepping, self.wanted, stop)
+    def _next_run(self, stop: Stop) -> Trace:
+        if self.known_run and self.known_run.stepping == self.stepping:
+            return self.known_run
+        return record(self.level, self.values, self.stepping, self.items, stop)
 
     def work(self, rate: float) -> float:
         """Return the counted work of a run at a rate, even if it is known already [s]."""
@@ -85,27 +90,27 @@ class Refiner:
         return self.level.duration(self.values) * (rate * self.step + looks * LOOK)
 
     @property
-    def over(self) -> bool:
+    def is_finished(self) -> bool:
         """Whether the highest rate has been passed."""
         return self.stepping.rate > HIGHEST_RATE
 
     @property
-    def needed(self) -> float:
+    def sufficient_rate(self) -> float:
         """The rate from which its errors are small enough [Hz]; infinite if not known."""
         refinement = self.refinement
         if not refinement or len(self._traces) < FEWEST:
             return inf
-        rate = refinement.rate_for(self.target) if refinement.believable(self.target) else inf
-        return max(rate, slowest(self.stepping)) if rate <= HIGHEST_RATE else inf
+        rate = refinement.rate_for(self.target) if refinement.can_extrapolate(self.target) else inf
+        return max(rate, lowest_rate(self.stepping)) if rate <= HIGHEST_RATE else inf
 
-    def lags(self, enough: float) -> bool:
+    def is_undecided(self, work: float) -> bool:
         """Whether its remaining work is still unknown, and may be within some work [s]."""
-        return self.needed == inf and self.step * self.stepping.rate <= enough
+        return self.sufficient_rate == inf and self.step * self.stepping.rate <= work
 
     @property
-    def promised(self) -> float:
+    def work_expected(self) -> float:
         """The counted work per second of the scene at the rate that is needed [s]."""
-        return self.step * self.needed
+        return self.step * self.sufficient_rate
 
 
 def refine(
@@ -113,44 +118,47 @@ def refine(
     seconds: float,
     stop: Stop,
     progress: Progress | None = None,
-    begun: float | None = None,
-    further: float = 0.0,
+    started: float | None = None,
+    extra_work: float = 0.0,
 ) -> list[Refinement]:
     """Run the schemes in turn until the cheapest sufficient run is known, or the work is spent.
 
-    `begun` is the `thread_time` at which the search began, if that was earlier [s]. `further` is
-    the work that is allowed beyond, where all is smooth and a run that will do is near. For a level
-    with contacts, the first refiner is the reference for the others. Return the refinements, each
-    with errors relative to the best, which comes first. Raises `Cancelled` if `stop` returned true.
+    `started` is the `thread_time` at which the search began, if that was earlier [s]. `extra_work`
+    is the work that is allowed beyond, where all is smooth and a run that will do is near. For a
+    level with contacts, the first refiner is the reference for the others. Return the refinements,
+    each with errors relative to the best, which comes first. Raises `Cancelled` if `stop` returned
+    true.
     """
-    spent, begun = 0.0, thread_time() if begun is None else begun
+    spent, started = 0.0, thread_time() if started is None else started
     refinements: list[Refinement] = []
-    while left := _worthwhile(refiners, refinements):
-        next_ = min(left, key=lambda refiner: refiner.work(refiner.stepping.rate))
+    while candidates := _worthwhile(refiners, refinements):
+        next_ = min(candidates, key=lambda refiner: refiner.work(refiner.stepping.rate))
         work = next_.work(next_.stepping.rate)
-        late = thread_time() - begun > PATIENCE * seconds and refinements
-        if late or spent + work > seconds + _beyond(refiners, refinements, further):
+        late = thread_time() - started > PATIENCE * seconds and refinements
+        if late or spent + work > seconds + _extra_work(refiners, refinements, extra_work):
             break
         if progress:
-            progress(spent / seconds, _told(next_.stepping, refinements, next_))
+            progress(spent / seconds, _progress_message(next_.stepping, refinements, next_))
         spent += work
         next_.run(stop)
-        refinements = held(refiners)
+        refinements = compared_with_best(refiners)
     return refinements
 
 
-def _beyond(refiners: Sequence[Refiner], refinements: Sequence[Refinement], most: float) -> float:
+def _extra_work(
+    refiners: Sequence[Refiner], refinements: Sequence[Refinement], limit: float
+) -> float:
     """Return the further work that is worthwhile where all is smooth and no run will do yet [s].
 
     It is that of confirming the most promising setting, as an extrapolation would have to be.
     """
     first = refiners[0]
-    promised = 3 * min(refiner.promised for refiner in refiners)
-    if not first.stepping.is_composed or promised == inf:
+    expected = 3 * min(refiner.work_expected for refiner in refiners)
+    if not first.stepping.is_composed or expected == inf:
         return 0.0
     if any(found.cheapest(first.target) for found in refinements):
         return 0.0
-    return min(promised * first.level.duration(first.values), most)
+    return min(expected * first.level.duration(first.values), limit)
 
 
 def at_rate(scheme: Scheme, rate: float) -> Message:
@@ -158,37 +166,47 @@ def at_rate(scheme: Scheme, rate: float) -> Message:
     return Message("{scheme} at {rate:g} Hz", scheme=scheme, rate=rate)
 
 
-def _told(stepping: Stepping, refinements: Sequence[Refinement], search: Refiner) -> Message:
+def _progress_message(
+    stepping: Stepping, refinements: Sequence[Refinement], search: Refiner
+) -> Message:
     """Return a run in words, and how far the best runs before it agree."""
     now = at_rate(stepping.scheme, stepping.rate)
     if not refinements:
         return now
-    until = foretold(refinements, search.wanted, search.target)
+    horizon = prediction_horizon(refinements, search.items, search.target)
     return Message(
         "{now}; the error so far is {error:.1e}, predictable until t = {t:.3g} s",
         now=now,
         error=refinements[0].errors[-1],
-        t=until,
+        t=horizon,
     )
 
 
-def held(refiners: Sequence[Refiner]) -> list[Refinement]:
+def compared_with_best(refiners: Sequence[Refiner]) -> list[Refinement]:
     """Return all refinements with errors relative to the best, the best first.
 
     Empty if there is only stock pymunk, whose runs may agree on a wrong result.
     """
-    found = [refiner.refinement for refiner in refiners if refiner.refinement]
-    judges = [refinement for refinement in found if not refinement.traces[0].stepping.is_stock]
-    if not judges:
+    all_refinements = [refiner.refinement for refiner in refiners if refiner.refinement]
+    references = [
+        refinement for refinement in all_refinements if not refinement.traces[0].stepping.is_stock
+    ]
+    if not references:
         return []
-    best = min(judges, key=lambda refinement: refinement.errors[-1])
+    best = min(references, key=lambda refinement: refinement.errors[-1])
     if refiners[0].level.effects.contact:  # only more sweeps, or none, show the error of sweeps
         plain = refiners[-1].stepping.at(HIGHEST_RATE)
-        able = [found for found in judges if found.traces[0].stepping.at(HIGHEST_RATE) != plain]
-        best = min(able or judges, key=lambda refinement: refinement.errors[-1])
-    wanted = refiners[0].wanted
+        able = [
+            all_refinements
+            for all_refinements in references
+            if all_refinements.traces[0].stepping.at(HIGHEST_RATE) != plain
+        ]
+        best = min(able or references, key=lambda refinement: refinement.errors[-1])
+    items = refiners[0].items
     others = [
-        held_against(refinement, best, wanted) for refinement in found if refinement is not best
+        relative_to(refinement, best, items)
+        for refinement in all_refinements
+        if refinement is not best
     ]
     return [best, *others]
 
@@ -205,16 +223,22 @@ def _worthwhile(refiners: Sequence[Refiner], refinements: Sequence[Refinement]) 
 
     Finer runs only cost more, so the next run of a refiner must be below that run's work.
     """
-    left = [refiner for refiner in refiners if not refiner.over]
+    candidates = [refiner for refiner in refiners if not refiner.is_finished]
     target = refiners[0].target
-    seen = [
+    sufficient = [
         cost(refiners, refinement) * found[0].stepping.rate
         for refinement in refinements
         if (found := refinement.cheapest(target))
     ]
-    least = min(seen, default=inf)
-    left = [refiner for refiner in left if refiner.step * refiner.stepping.rate < least]
+    cheapest = min(sufficient, default=inf)
+    candidates = [
+        refiner for refiner in candidates if refiner.step * refiner.stepping.rate < cheapest
+    ]
     if refiners[0].level.effects.contact:
-        return left
-    enough = DEARER * min(refiner.promised for refiner in refiners)
-    return [refiner for refiner in left if refiner.promised <= enough or refiner.lags(enough)]
+        return candidates
+    allowed = DEARER * min(refiner.work_expected for refiner in refiners)
+    return [
+        refiner
+        for refiner in candidates
+        if refiner.work_expected <= allowed or refiner.is_undecided(allowed)
+    ]

@@ -43,13 +43,13 @@ from sandbox.physics.accuracy.step_refinement import (
     NEARLY,
     SPARE,
     Refinement,
-    foot,
-    furthest,
-    in_step,
+    largest_relative_difference,
+    lowest_doubled_rate,
+    lowest_rate,
     octaves,
-    slowest,
+    shared_rate,
 )
-from sandbox.physics.guarding.least_step_rate import needed
+from sandbox.physics.guarding.least_step_rate import required_rate
 from sandbox.physics.measuring.recording import Recorder, Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
@@ -85,94 +85,96 @@ class Seeker:
     progress: Progress | None
     stop: Stop
 
-    def found(self, wanted: Sequence[Watched]) -> SearchResult:
+    def search(self, items: Sequence[Watched]) -> SearchResult:
         """Return the cheapest setting that reaches the target, or else the most accurate.
 
         Raises `AccuracyError` if the level takes too long to run, `Cancelled` if `stop` returned
         true, and `SimulationError` if the level does not run at all.
         """
-        begun = thread_time()
+        started = thread_time()
         if self.progress:
             self.progress(0.0, at_rate("leapfrog", self.level.stepping.rate))
-        doubt = Doubt(wanted, self.target, self.stop, begun, self.budget)
+        doubt = Doubt(items, self.target, self.stop, started, self.budget)
         try:
-            own = own_run(self.level, self.values, wanted, self.stop, doubt)
+            own = own_run(self.level, self.values, items, self.stop, doubt)
         except OutOfReach as known:
-            return self._hopeless(known.runs, known.wanted)
-        wanted = scaled(wanted, own) if own else wanted
+            return self._out_of_reach(known.runs, known.items)
+        items = scaled(items, own) if own else items
         refiners = [
-            Refiner(self.level, self.values, start, wanted, self.target, known=own)
+            Refiner(self.level, self.values, start, items, self.target, known_run=own)
             for start in _candidates(self.level, self.values, self.target)
         ]
         refinements = refine(
-            refiners, self.budget, self.stop, self.progress, doubt.begun, CONFIRMED * self.budget
+            refiners, self.budget, self.stop, self.progress, doubt.started, CONFIRMED * self.budget
         )
         if not refinements and (failure := refiners[-1].failure):
             raise failure
         if not refinements:
             raise AccuracyError("the level takes too long to run to search for its accuracy")
         offers = Offers(refinements, [cost(refiners, refinement) for refinement in refinements])
-        chosen = self._chosen(offers, wanted)
+        chosen = self._choose(offers, items)
         if chosen.error > self.target and chosen.stepping.is_stock:
-            others = chosen, self._chosen(offers.without_stock, wanted)
+            others = chosen, self._choose(offers.without_stock, items)
             chosen = min(others, key=lambda found: max(found.error, self.target))
         if chosen.error > self.target and chosen.trace is None:
             chosen = offers.measured(self.target)
-        return SearchResult(self.level, self.values, self.target, wanted, offers, chosen)
+        return SearchResult(self.level, self.values, self.target, items, offers, chosen)
 
-    def _hopeless(self, known: Refinement, wanted: Sequence[Watched]) -> SearchResult:
+    def _out_of_reach(self, known: Refinement, items: Sequence[Watched]) -> SearchResult:
         """Return the best of the runs that show that the target is out of reach."""
         run = known.traces[-1]
         offers = Offers([known], [counted_cost(run.level, run.values, run.stepping)])
         best = offers.measured(self.target)
-        return SearchResult(known.traces[0].level, self.values, self.target, wanted, offers, best)
+        return SearchResult(known.traces[0].level, self.values, self.target, items, offers, best)
 
-    def _chosen(self, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
+    def _choose(self, offers: Offers, items: Sequence[Watched]) -> Candidate:
         """Return the cheapest setting of those offered, or the most accurate."""
         chosen = offers.best(self.target)
         if chosen.trace is None:
-            chosen = self._confirmed(chosen, wanted)
+            chosen = self._confirm(chosen, items)
         elif chosen.error <= self.target:
-            chosen = self._refined(chosen, offers, wanted)
+            chosen = self._between_runs(chosen, offers, items)
         if chosen.error <= self.target and stride(chosen.stepping.rate) > 1:
-            return self._at_every_step(chosen, offers.refinements[0].traces[-1], wanted)
+            return self._check_every_step(chosen, offers.refinements[0].traces[-1], items)
         return chosen
 
-    def _run(self, stepping: Stepping, wanted: Sequence[Watched]) -> Trace:
-        return record(self.level, self.values, stepping, wanted, self.stop)
+    def _run(self, stepping: Stepping, items: Sequence[Watched]) -> Trace:
+        return record(self.level, self.values, stepping, items, self.stop)
 
-    def _refined(self, chosen: Candidate, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
+    def _between_runs(
+        self, chosen: Candidate, offers: Offers, items: Sequence[Watched]
+    ) -> Candidate:
         """Return a setting at a rate between the chosen run and the one before, if it will do."""
         best = offers.refinements[0]
         refinement = next(found for found in offers.refinements if chosen.trace in found.traces)
-        rate = refinement.between(self.target)
+        rate = refinement.rate_between(self.target)
         if rate is None:
             return chosen
         stepping = chosen.stepping.at(rate)
         with suppress(SimulationError):
-            trace = self._run(stepping, wanted)
-            error = furthest(trace, best.traces[-1], wanted)[0] + best.errors[-1]
+            trace = self._run(stepping, items)
+            error = largest_relative_difference(trace, best.traces[-1], items)[0] + best.errors[-1]
             if error <= self.target:
                 return Candidate(stepping, error, trace, chosen.work * rate / chosen.stepping.rate)
         return chosen
 
-    def _confirmed(self, chosen: Candidate, wanted: Sequence[Watched]) -> Candidate:
+    def _confirm(self, chosen: Candidate, items: Sequence[Watched]) -> Candidate:
         """Return an extrapolated setting with its measured error, unless that is too much work."""
         rate, work = chosen.stepping.rate, 3 * chosen.work * self.level.duration(self.values)
         if work > CONFIRMED * self.budget or 2 * rate > HIGHEST_RATE:
             return chosen
         try:
-            here, finer = (self._run(chosen.stepping.at(r), wanted) for r in (rate, 2 * rate))
+            run, finer = (self._run(chosen.stepping.at(r), items) for r in (rate, 2 * rate))
         except SimulationError:
             return chosen._replace(error=float("inf"))
-        off = furthest(here, finer, wanted)[0]
-        unknown = off / (2 ** (NEARLY * chosen.stepping.order) - 1)
-        return self._lowered(
-            chosen._replace(error=off + unknown, trace=here), finer, unknown, wanted
+        difference = largest_relative_difference(run, finer, items)[0]
+        unknown = difference / (2 ** (NEARLY * chosen.stepping.order) - 1)
+        return self._lower_rate(
+            chosen._replace(error=difference + unknown, trace=run), finer, unknown, items
         )
 
-    def _lowered(
-        self, chosen: Candidate, finer: Trace, unknown: float, wanted: Sequence[Watched]
+    def _lower_rate(
+        self, chosen: Candidate, finer: Trace, unknown: float, items: Sequence[Watched]
     ) -> Candidate:
         """Return a setting at the lowest rate found that will do, given a run of known error.
 
@@ -180,23 +182,25 @@ class Seeker:
         that was extrapolated may be far more accurate than that.
         """
         while 0 < chosen.error <= self.target:
-            now = chosen.stepping
-            ratio = (chosen.error / (SPARE * self.target)) ** (1 / now.order)
-            rate = in_step(max(ratio * now.rate, slowest(now)), finer.stepping.rate)
-            if rate >= now.rate:
+            stepping = chosen.stepping
+            ratio = (chosen.error / (SPARE * self.target)) ** (1 / stepping.order)
+            rate = shared_rate(
+                max(ratio * stepping.rate, lowest_rate(stepping)), finer.stepping.rate
+            )
+            if rate >= stepping.rate:
                 break
             try:
-                run = self._run(now.at(rate), wanted)
+                run = self._run(stepping.at(rate), items)
             except SimulationError:
                 break
-            error = furthest(run, finer, wanted)[0] + unknown
+            error = largest_relative_difference(run, finer, items)[0] + unknown
             if error > self.target:
                 break
-            chosen = Candidate(now.at(rate), error, run, chosen.work * rate / now.rate)
+            chosen = Candidate(stepping.at(rate), error, run, chosen.work * rate / stepping.rate)
         return chosen
 
-    def _at_every_step(
-        self, chosen: Candidate, best: Trace, wanted: Sequence[Watched]
+    def _check_every_step(
+        self, chosen: Candidate, best: Trace, items: Sequence[Watched]
     ) -> Candidate:
         """Return a setting that is as accurate where forces set in or end, if there is one.
 
@@ -204,24 +208,24 @@ class Seeker:
         pymunk lets bodies fall that rest. Lower rates than the one that certainly suffices may do,
         and are tried first. If no rate is sufficient, the setting is returned with its error there.
         """
-        found = onsets(best, wanted, chosen.stepping.rate, self.target)
+        found = onsets(best, items, chosen.stepping.rate, self.target)
         if chosen.stepping.is_stock:
-            found = Onsets([0.0, *found.times], velocities(best, wanted), found.rate)
-        here = self._around(chosen, found)
-        if here.error <= self.target or not 0 < found.rate <= HIGHEST_RATE:
-            return here
+            found = Onsets([0.0, *found.times], velocities(best, items), found.rate)
+        present = self._check_onsets(chosen, found)
+        if present.error <= self.target or not 0 < found.rate <= HIGHEST_RATE:
+            return present
         own = chosen.stepping.rate
         for halvings in range(max(int(log2(found.rate / own)), 0), -1, -1):
-            rate = in_step(found.rate / 2**halvings, own)
+            rate = shared_rate(found.rate / 2**halvings, own)
             work = rate / own * chosen.work
-            there = self._around(
+            finer = self._check_onsets(
                 chosen._replace(stepping=chosen.stepping.at(rate), work=work), found
             )
-            if there.error <= self.target:
-                return there
-        return here
+            if finer.error <= self.target:
+                return finer
+        return present
 
-    def _around(self, chosen: Candidate, onsets: Onsets) -> Candidate:
+    def _check_onsets(self, chosen: Candidate, onsets: Onsets) -> Candidate:
         """Return a setting with its error around the times when forces set in or end."""
         if not onsets.times:
             return chosen
@@ -236,8 +240,8 @@ class Seeker:
                 )
                 for parts in (1, CLOSER)
             )  # fmt: skip
-            off, found = furthest(run, finer, onsets.items)
-            worst, item = off * CLOSER / (CLOSER - 1), found or onsets.items[0]
+            difference, worst_item = largest_relative_difference(run, finer, onsets.items)
+            worst, item = difference * CLOSER / (CLOSER - 1), worst_item or onsets.items[0]
         if worst <= chosen.error:
             return chosen
         return chosen._replace(error=worst, trace=trace, decided_by=item.quantity)
@@ -246,22 +250,22 @@ class Seeker:
 def own_run(
     level: Level,
     values: Values,
-    wanted: Sequence[Watched],
+    items: Sequence[Watched],
     stop: Stop = never,
-    look_at: Callable[[Recorder], None] | None = None,
+    inspect: Callable[[Recorder], None] | None = None,
 ) -> Trace | None:
     """Return a run at the level's own rate, from which motion gets its scales.
 
-    None if no motion is watched, so that nothing is run for it, or if it has to stop. `look_at` is
+    None if no motion is watched, so that nothing is run for it, or if it has to stop. `inspect` is
     called now and then. Raises `Cancelled` if `stop` returned true.
     """
-    if not any(item.motion for item in wanted):
+    if not any(item.motion for item in items):
         return None
     solver = "direct" if _may_pile(level) else level.stepping.solver
-    said = level.stepping
-    own = Stepping(rate=said.rate, iterations=said.iterations, solver=solver)
+    declared = level.stepping
+    own = Stepping(rate=declared.rate, iterations=declared.iterations, solver=solver)
     with suppress(SimulationError):
-        return record(level, values, own, wanted, stop, look_at=look_at)
+        return record(level, values, own, items, stop, inspect=inspect)
     return None
 
 
@@ -270,18 +274,19 @@ def _candidates(level: Level, values: Values, target: float) -> Iterator[Steppin
 
     For a smooth level it begins below the lowest rate that may be chosen, so as to show its order.
     """
-    rate = foot(level.stepping.rate) / (1 if level.effects.contact else 2)
+    rate = lowest_doubled_rate(level.stepping.rate) / (1 if level.effects.contact else 2)
     while rate * level.duration(values) > FEW and rate > LONGEST:
         rate /= 2
-    lowest, floor = rate, _floor(level, values)
+    lowest, floor = rate, _lowest_rate(level, values)
     while rate < floor and rate * 2**FEWEST <= HIGHEST_RATE:
         rate *= 2
-    said = level.stepping
+    declared = level.stepping
     solver: Literal["iterative"] | None = "iterative" if _may_pile(level) else None
-    start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver or solver)
+    start = Stepping(rate=rate, iterations=declared.iterations, solver=declared.solver or solver)
     if not unsmooth(level):
         yield from (
-            _begun(start.model_copy(update={"scheme": scheme})) for scheme in _smooth(target)
+            _composed_start(start.model_copy(update={"scheme": scheme}))
+            for scheme in _high_orders(target)
         )
     elif contact := level.effects.contact:
         if _may_pile(level):
@@ -297,7 +302,7 @@ def _candidates(level: Level, values: Values, target: float) -> Iterator[Steppin
     yield start
 
 
-def _begun(start: Stepping) -> Stepping:
+def _composed_start(start: Stepping) -> Stepping:
     """Return where a composed scheme begins, given where leapfrog does: its steps may be longer."""
     rate = start.rate / 2 ** (octaves(start) - 1)
     while rate < 1:
@@ -305,7 +310,7 @@ def _begun(start: Stepping) -> Stepping:
     return start.at(rate)
 
 
-def _smooth(target: float) -> tuple[Scheme, ...]:
+def _high_orders(target: float) -> tuple[Scheme, ...]:
     """Return the schemes of higher order that are worth trying where all is smooth."""
     high: tuple[Scheme, ...] = ("sixth-order", "eighth-order")
     return ("fourth-order", *(high if target <= SMALL else ()))
@@ -324,7 +329,7 @@ def _may_pile(level: Level) -> bool:
     return sum(body.type == "dynamic" for body in level.bodies.values()) > 1
 
 
-def _floor(level: Level, values: Values) -> float:
+def _lowest_rate(level: Level, values: Values) -> float:
     """Return the rate that the beginning needs [Hz]: runs below it can agree on a wrong result.
 
     It follows from the state after the shortest step, with a scheme that does not wait for piles to
@@ -332,8 +337,8 @@ def _floor(level: Level, values: Values) -> float:
     """
     try:
         world = make_world(level, values, Stepping(rate=HIGHEST_RATE, scheme="symplectic-euler"))
-        now = world.advance()
+        snapshot = world.advance()
     except SimulationError:
         return 0.0
     contact = level.effects.contact
-    return needed(world.scene, now, (contact and contact.located) or ())
+    return required_rate(world.scene, snapshot, (contact and contact.located) or ())

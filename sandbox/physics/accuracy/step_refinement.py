@@ -7,8 +7,13 @@ from math import ceil, floor, inf, log2
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy.compared_runs import Watched, apart, scale, size
-from sandbox.physics.accuracy.event_timing_errors import hidden
+from sandbox.physics.accuracy.compared_runs import (
+    Watched,
+    error_scale,
+    item_scale,
+    largest_difference,
+)
+from sandbox.physics.accuracy.event_timing_errors import hidden_error
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
@@ -41,7 +46,7 @@ SMOOTH = 30.0
 """The lowest rate of a motion that is drawn [Hz]: in fewer steps it would look jerky."""
 
 
-def foot(rate: float) -> float:
+def lowest_doubled_rate(rate: float) -> float:
     """Return the rate from which doubling reaches a level's own: the lowest not below `SMOOTH`.
 
     >>> foot(1000.0)
@@ -59,7 +64,7 @@ def octaves(stepping: Stepping) -> int:
     return stepping.order // 2 if stepping.is_composed else 0
 
 
-def slowest(stepping: Stepping) -> float:
+def lowest_rate(stepping: Stepping) -> float:
     """Return the lowest rate that is chosen for a scheme [Hz]."""
     return SMOOTH / 2 ** octaves(stepping)
 
@@ -75,16 +80,16 @@ class Refinement:
     growth: tuple[tuple[float, float], ...]
     """For each quantity the error of the last run, and the power of the step with which it
     continues: negative for rounding, which grows with the rate."""
-    seen: int = 0
+    confirmed: int = 0
     """The number of runs, from the first, whose errors are confirmed by finer runs."""
 
     def cheapest(self, error: float) -> tuple[Trace, float] | None:
         """Return the first run with a confirmed error that is small enough, and that error."""
-        runs = zip(self.traces[: self.seen], self.errors, strict=False)
-        least = slowest(self.traces[0].stepping)
-        return next((r for r in runs if r[1] <= error and r[0].stepping.rate >= least), None)
+        runs = zip(self.traces[: self.confirmed], self.errors, strict=False)
+        lowest = lowest_rate(self.traces[0].stepping)
+        return next((r for r in runs if r[1] <= error and r[0].stepping.rate >= lowest), None)
 
-    def between(self, error: float) -> float | None:
+    def rate_between(self, error: float) -> float | None:
         """Return a rate below the first sufficient run at which the error may still suffice [Hz].
 
         It is interpolated by a power law through that run and the one before, and divides an octave
@@ -95,25 +100,25 @@ class Refinement:
             return None
         at = self.traces.index(found[0])
         low, high = (trace.stepping.rate for trace in self.traces[at - 1 : at + 1])
-        little, much = found[1], self.errors[at - 1]
-        if not 0 < little < SPARE * error < much < little * 2 ** (2 * self._order):
+        fine_error, coarse_error = found[1], self.errors[at - 1]
+        if not 0 < fine_error < SPARE * error < coarse_error < fine_error * 2 ** (2 * self._order):
             return None
-        power = log2(much / little) / log2(high / low)
-        rate = high * (little / (SPARE * error)) ** (1 / power)
-        parted = in_step(rate, low)
-        return parted if slowest(found[0].stepping) <= parted < high else None
+        power = log2(coarse_error / fine_error) / log2(high / low)
+        rate = high * (fine_error / (SPARE * error)) ** (1 / power)
+        shared = shared_rate(rate, low)
+        return shared if lowest_rate(found[0].stepping) <= shared < high else None
 
     @property
     def _order(self) -> int:
         return self.traces[-1].stepping.order
 
-    def believable(self, target: float) -> bool:
+    def can_extrapolate(self, target: float) -> bool:
         """Whether the runs allow extrapolation to a smaller error.
 
         They have to show the order of the scheme: a lower order would ask for far too many steps.
         """
         shown = NEARLY * self._order
-        return all(order >= shown for off, order in self.growth if off > target)
+        return all(order >= shown for error, order in self.growth if error > target)
 
     def rate_for(self, error: float) -> float:
         """Return the rate from which no error is expected to be larger [Hz]; infinite if none.
@@ -123,10 +128,10 @@ class Refinement:
         if self.traces[-1].stepping.is_stock:
             return inf
         rate, last = 0.0, self.traces[-1].stepping.rate
-        for off, order in self.growth:
+        for last_error, order in self.growth:
             if order > 0:
-                rate = max(rate, last * (off / error) ** (1 / order))
-            elif off > error:
+                rate = max(rate, last * (last_error / error) ** (1 / order))
+            elif last_error > error:
                 return inf
         return rate
 
@@ -135,7 +140,7 @@ class Refinement:
         if self.traces[-1].stepping.is_stock:
             return inf
         ratio = self.traces[-1].stepping.rate / rate
-        return max((off * ratio**order for off, order in self.growth), default=inf)
+        return max((error * ratio**order for error, order in self.growth), default=inf)
 
 
 def step_durations(level: Level, values: Values, *steppings: Stepping) -> tuple[float, ...]:
@@ -143,50 +148,53 @@ def step_durations(level: Level, values: Values, *steppings: Stepping) -> tuple[
     return brief_costs(*(partial(make_world, level, values, stepping) for stepping in steppings))
 
 
-def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Refinement:
+def with_errors(traces: Sequence[Trace], items: Sequence[Watched]) -> Refinement:
     """Return runs with their errors, estimated from the runs themselves."""
-    parts = [errors for item in wanted if (errors := extrapolated(traces, item))]
-    unseen = hidden(traces[-1], wanted).error
-    worst = tuple(
+    parts = [errors for item in items if (errors := extrapolated(traces, item))]
+    unseen = hidden_error(traces[-1], items).error
+    largest = tuple(
         max(unseen, *column) for column in zip(*(part.relative for part in parts), strict=True)
     )
-    growth = tuple((part.relative[-1], part.order or -part.rise) for part in parts)
+    growth = tuple((part.relative[-1], part.order or -part.rounding_growth) for part in parts)
     growth += ((unseen, 1.0),) if unseen else ()
-    seen = max(len(traces) - WITNESSES, 0)
-    refinement = Refinement(tuple(traces), worst or (inf,) * len(traces), growth, seen)
-    shown = len(traces) >= RUNS and refinement.believable(COUNTS * refinement.errors[-1])
+    confirmed = max(len(traces) - WITNESSES, 0)
+    refinement = Refinement(tuple(traces), largest or (inf,) * len(traces), growth, confirmed)
+    shown = len(traces) >= RUNS and refinement.can_extrapolate(COUNTS * refinement.errors[-1])
     contact = traces[0].level.effects.contact
-    return replace(refinement, seen=seen + 1) if shown and not contact else refinement
+    return replace(refinement, confirmed=confirmed + 1) if shown and not contact else refinement
 
 
-def held_against(
-    refinement: Refinement, better: Refinement, wanted: Sequence[Watched]
-) -> Refinement:
+def relative_to(refinement: Refinement, better: Refinement, items: Sequence[Watched]) -> Refinement:
     """Return a refinement with its errors relative to the last run of a better one.
 
     The errors of all its runs are confirmed if the other scheme differs; else only those of runs
     with at least four times the step of that last run.
     """
     last, own = better.traces[-1], better.errors[-1]
-    errors = tuple(max(furthest(trace, last, wanted)[0] + own, own) for trace in refinement.traces)
+    errors = tuple(
+        max(largest_relative_difference(trace, last, items)[0] + own, own)
+        for trace in refinement.traces
+    )
     finest = last.stepping.rate / 2**WITNESSES
-    alike = last.stepping.scheme == refinement.traces[-1].stepping.scheme
-    seen = sum(not alike or trace.stepping.rate <= finest for trace in refinement.traces)
-    return replace(refinement, errors=errors, seen=seen)
+    same_scheme = last.stepping.scheme == refinement.traces[-1].stepping.scheme
+    confirmed = sum(not same_scheme or trace.stepping.rate <= finest for trace in refinement.traces)
+    return replace(refinement, errors=errors, confirmed=confirmed)
 
 
-def furthest(trace: Trace, best: Trace, wanted: Sequence[Watched]) -> tuple[float, Watched | None]:
+def largest_relative_difference(
+    trace: Trace, best: Trace, items: Sequence[Watched]
+) -> tuple[float, Watched | None]:
     """Return the largest relative difference between two runs, and the quantity that has it."""
-    worst: tuple[float, Watched | None] = 0.0, None
-    for item in wanted:
-        difference = apart(trace, best, item)
+    largest: tuple[float, Watched | None] = 0.0, None
+    for item in items:
+        difference = largest_difference(trace, best, item)
         if difference is not None:
-            relative = difference / scale(size(best, item), difference)
-            worst = max(worst, (relative, item), key=lambda found: found[0])
-    return worst
+            relative = difference / error_scale(item_scale(best, item), difference)
+            largest = max(largest, (relative, item), key=lambda found: found[0])
+    return largest
 
 
-def in_step(rate: float, with_: float, parts: int = PARTS) -> float:
+def shared_rate(rate: float, other: float, parts: int = PARTS) -> float:
     """Return the lowest rate that is not below one [Hz] and shares many instants with another.
 
     It is the other rate, doubled or halved repeatedly, plus a number of equal parts of an octave.
@@ -194,5 +202,5 @@ def in_step(rate: float, with_: float, parts: int = PARTS) -> float:
     >>> in_step(100.0, 30.0)
     105.0
     """
-    octave = with_ * 2.0 ** floor(log2(rate / with_))
+    octave = other * 2.0 ** floor(log2(rate / other))
     return octave * ceil(parts * rate / octave * (1 - ROUNDING)) / parts

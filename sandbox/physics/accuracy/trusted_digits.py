@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil, floor, isfinite, log10
 
-from sandbox.physics.accuracy.compared_runs import LITTLE, Watched, departure, size
-from sandbox.physics.accuracy.event_timing_errors import hidden
+from sandbox.physics.accuracy.compared_runs import LITTLE, Watched, departure, item_scale
+from sandbox.physics.accuracy.event_timing_errors import hidden_error
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 
@@ -41,10 +41,10 @@ class Trust:
     @property
     def digits(self) -> int:
         """The number of its digits that hold throughout."""
-        return surviving(self.size, self.off)
+        return certain_digits(self.size, self.off)
 
 
-def surviving(value: float, off: float) -> int:
+def certain_digits(value: float, error: float) -> int:
     """Return how many significant digits of a value are certain, given its error.
 
     The error is at most half a unit of the last of these digits; no digit is certain in a value
@@ -53,14 +53,14 @@ def surviving(value: float, off: float) -> int:
     >>> surviving(3.14159, 2e-4), surviving(3.14159, 9e-4), surviving(0.02, 0.1)
     (4, 3, 0)
     """
-    if not value or off <= 0 or not isfinite(value) or not isfinite(off):
+    if not value or error <= 0 or not isfinite(value) or not isfinite(error):
         return USUAL_DIGITS
-    if off >= abs(value):
+    if error >= abs(value):
         return 0
-    return min(max(floor(log10(abs(value))) - ceil(log10(2 * off)) + 1, 1), MOST_DIGITS)
+    return min(max(floor(log10(abs(value))) - ceil(log10(2 * error)) + 1, 1), MOST_DIGITS)
 
 
-def trusts(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trust]:
+def trust_of(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trust]:
     """Yield how far quantities of the last run but one can be trusted.
 
     Each run has half the step of the one before.
@@ -68,11 +68,13 @@ def trusts(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trust]
     run, finer = traces[-2:]
     for item in items:
         if found := extrapolated(traces, item):
-            largest, unit = size(finer, item), found.unit
-            unseen = hidden(finer, [item]).error * unit
+            largest, unit = item_scale(finer, item), found.unit
+            unseen = hidden_error(finer, [item]).error * unit
             until = departure(run, finer, item, SEEN)
-            order = found.order if found.of[-2] >= unseen else 1.0  # an impact is late by a step
-            yield Trust(item.quantity, largest, max(found.of[-2], unseen), until, order)
+            order = (
+                found.order if found.absolute[-2] >= unseen else 1.0
+            )  # an impact is late by a step
+            yield Trust(item.quantity, largest, max(found.absolute[-2], unseen), until, order)
 
 
 def least_known(found: Iterable[Trust]) -> Trust | None:

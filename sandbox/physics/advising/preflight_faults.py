@@ -46,9 +46,9 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
         return None
     values, error = _placed(level, *max(found, key=lambda one: _needed(one[1])))
     if advised and error.rate is not None:
-        from sandbox.physics.advising.remedy_trials import tried
+        from sandbox.physics.advising.remedy_trials import with_advice
 
-        error = tried(error, level, values, level.stepping, seconds=SECONDS)
+        error = with_advice(error, level, values, level.stepping, seconds=SECONDS)
     return error
 
 

@@ -18,7 +18,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact, is_solved_by_pymunk
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.translatable_message import NOTHING, Message, both, joined
-from sandbox.physics.guarding.least_step_rate import needed
+from sandbox.physics.guarding.least_step_rate import required_rate
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.measuring.unbalanced_contacts import NOTICED
 from sandbox.physics.run import build
@@ -56,24 +56,24 @@ class Advice(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class _Trial:
-    """The outcome of the trial of a remedy; `slow` if it took too long to prove anything."""
+    """The outcome of the trial of a remedy; `is_slow` if it took too long to prove anything."""
 
     description: Message
     rate: float | None
     t: float
-    whole: bool = False
-    stopped: bool = False
-    slow: bool = False
+    is_complete: bool = False
+    has_stopped: bool = False
+    is_slow: bool = False
 
     @property
     def outcome(self) -> Message:
-        if self.slow:
+        if self.is_slow:
             return Message("{description} it took too long to tell", description=self.description)
-        if self.stopped:
+        if self.has_stopped:
             return Message(
                 "{description} it stops at t = {t:.4g} s", description=self.description, t=self.t
             )
-        if self.whole:
+        if self.is_complete:
             return Message(
                 "{description} it runs to its end, t = {t:.4g} s",
                 description=self.description,
@@ -84,7 +84,7 @@ class _Trial:
         )
 
 
-def tried(
+def with_advice(
     error: SimulationError,
     level: Level,
     values: Values,
@@ -113,22 +113,24 @@ def advise(
     duration: float | None = None,
     seconds: float = SECONDS,
 ) -> Advice:
-    """Try remedies for some time [s], and return advice; for the other parameters, see `tried`."""
+    """Try remedies for some time [s], and return advice; see `with_advice` for the parameters."""
     if stepping.accuracy is not None:
         return Advice(NOTHING)
     end = level.duration(values) if duration is None else duration
     attempt = partial(_attempt, values=values, before=error.time, end=end)
     deadline, failed = process_time() + seconds, list[_Trial]()
-    remedies = [*_finer(error, level, values, stepping), *_others(level, stepping)]
+    remedies = [*_higher_rates(error, level, values, stepping), *_other_remedies(level, stepping)]
     for i, (description, changed, with_, rate) in enumerate(remedies):
         left = len(remedies) - i
-        share = (deadline - process_time()) / left * 2  # early stops leave more time to the others
-        until = min(deadline, process_time() + share)
+        time_share = (
+            (deadline - process_time()) / left * 2
+        )  # early stops leave more time to the others
+        until = min(deadline, process_time() + time_share)
         trial = attempt(description, changed or level, with_, rate, until=until)
-        if not (trial.stopped or trial.slow):
-            return Advice(_found(failed, trial), trial.rate)
+        if not (trial.has_stopped or trial.is_slow):
+            return Advice(_helpful(failed, trial), trial.rate)
         failed.append(trial)
-    if all(trial.slow for trial in failed):
+    if all(trial.is_slow for trial in failed):
         return Advice(
             Message("no remedy is known: nothing got as far within {seconds:g} s", seconds=seconds)
         )
@@ -136,16 +138,16 @@ def advise(
     return Advice(Message("nothing that was tried helps: {outcomes}", outcomes=outcomes))
 
 
-def findings(
+def advice_in_background(
     error: SimulationError, level: Level, values: Values, stepping: Stepping, duration: float
 ) -> Iterator[Advice]:
-    """Yield advice, as work for another process; for the parameters, see `tried`."""
+    """Yield advice, as work for another process; for the parameters, see `with_advice`."""
     yield advise(error, level, values, stepping, duration)
 
 
-def _found(failed: list[_Trial], trial: _Trial) -> Message:
+def _helpful(failed: list[_Trial], trial: _Trial) -> Message:
     """Return the remedy that helps, and the higher rates that did not, if any were tried."""
-    stopped = (trial.rate for trial in failed if trial.stopped)
+    stopped = (trial.rate for trial in failed if trial.has_stopped)
     rates = [Message("{rate:,.0f}", rate=rate) for rate in stopped if rate]
     if not rates:
         return Message("tried: {outcome}", outcome=trial.outcome)
@@ -162,7 +164,7 @@ def _found(failed: list[_Trial], trial: _Trial) -> Message:
     )
 
 
-def leaning(level: Level, values: Values, stepping: Stepping) -> str:
+def leaning_warning(level: Level, values: Values, stepping: Stepping) -> str:
     """Return the warning that a pile may lean because its contact forces were not settled."""
     text = "sweeps of the solver did not settle what rests at the start, so it may lean or fall"
     if len(level.bodies) > MOST_BODIES:
@@ -174,7 +176,7 @@ def leaning(level: Level, values: Values, stepping: Stepping) -> str:
     return f"{text}; {DIRECT} its forces are found"
 
 
-def creeping(trace: Trace) -> str:
+def creep_warning(trace: Trace) -> str:
     """Return what sweeps left unbalanced in the piles of a run; empty if that is negligible.
 
     It also tries the direct solver and, if that finds the forces, says how long a step then takes.
@@ -186,14 +188,14 @@ def creeping(trace: Trace) -> str:
         f"sweeps of the solver left {100 * trace.unbalanced:.2g} % of the forces between bodies"
         " that rest on each other unbalanced, so they may creep, lean or fall"
     )
-    if all(description is not DIRECT for description, *_ in _others(level, stepping)):
+    if all(description is not DIRECT for description, *_ in _other_remedies(level, stepping)):
         return text
     begun, end = process_time(), float(trace.t[-1])
     trial = _attempt(
         DIRECT, solved_directly(level), stepping, None,
         values=values, before=0.0, end=end, until=begun + SECONDS,
     )  # fmt: skip
-    if trial.stopped or not trial.t:
+    if trial.has_stopped or not trial.t:
         return text
     took = 1000 * (process_time() - begun) / stepping.steps(trial.t)
     return f"{text}; {DIRECT} they are found, and a step takes {took:.3g} ms (tried)"
@@ -212,39 +214,39 @@ def solved_directly(level: Level) -> Level:
 Remedy = tuple[Message, Level | None, Stepping, float | None]
 
 
-def _finer(
+def _higher_rates(
     error: SimulationError, level: Level, values: Values, stepping: Stepping
 ) -> Iterator[Remedy]:
     if stepping.is_stock:
         return
     first = error.rate or FINER * stepping.rate
-    known = MARGIN * _foreseen(level, values, stepping)
-    for rate in sorted({float(first), 2.0 * first, float(ceil(max(first, known)))}):
+    start_rate = MARGIN * _rate_at_start(level, values, stepping)
+    for rate in sorted({float(first), 2.0 * first, float(ceil(max(first, start_rate)))}):
         if stepping.rate < rate <= HIGHEST_RATE:
             yield Message("at {rate:,.0f} Hz", rate=rate), None, stepping.at(rate), rate
 
 
-def _foreseen(level: Level, values: Values, stepping: Stepping) -> float:
+def _rate_at_start(level: Level, values: Values, stepping: Stepping) -> float:
     """Return the rate that the start needs [Hz]; 0 if the world cannot be built."""
     try:
         world = build(level, values, stepping)
     except SandboxError:
         return 0.0
-    return needed(world.scene, world.snapshot)
+    return required_rate(world.scene, world.snapshot)
 
 
-def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
+def _other_remedies(level: Level, stepping: Stepping) -> Iterator[Remedy]:
     """Yield the remedies other than a higher rate, in the words of a level."""
     if stepping.is_stock:
         other = stepping.model_copy(update={"scheme": "leapfrog"})
         yield Message("with the scheme 'leapfrog'"), None, other, None
     contact = level.effects.contact
-    held = {name: joint for name, joint in level.joints.items() if is_exact(joint)}
-    own = any(map(is_solved_by_pymunk, level.joints.values()))
-    if contact and not is_direct(level, stepping) and not own:
+    exact_joints = {name: joint for name, joint in level.joints.items() if is_exact(joint)}
+    has_pymunk_joints = any(map(is_solved_by_pymunk, level.joints.values()))
+    if contact and not is_direct(level, stepping) and not has_pymunk_joints:
         yield DIRECT, solved_directly(level), stepping, None
-    if contact and held and all(isinstance(joint, Own) for joint in held.values()):
-        loose = {n: joint.model_copy(update={"exact": False}) for n, joint in held.items()}
+    if contact and exact_joints and all(isinstance(joint, Own) for joint in exact_joints.values()):
+        loose = {n: joint.model_copy(update={"exact": False}) for n, joint in exact_joints.items()}
         swept = contact.model_copy(update={"solver": "iterative"})
         effects = level.effects.model_copy(update={"contact": swept})
         joints = {**level.joints, **loose}
@@ -266,17 +268,19 @@ def _attempt(
     """Run a remedy as far as it goes."""
     world: World | None = None
     try:
-        with cancellable(partial(_look, until)):
+        with cancellable(partial(_check_time, until)):
             world = build(level, values, stepping)
             steps = count_steps(world, end)
             _run(world, min(steps, STEPS))
-            whole = steps <= STEPS
+            is_complete = steps <= STEPS
     except _LateError:
-        whole = False
+        is_complete = False
     except SandboxError:
-        return _Trial(description, rate, world.t if world else 0.0, stopped=True)
+        return _Trial(description, rate, world.t if world else 0.0, has_stopped=True)
     t = world.t if world else 0.0
-    return _Trial(description, rate, t, whole=whole, slow=not whole and t < PAST * before)
+    return _Trial(
+        description, rate, t, is_complete=is_complete, is_slow=not is_complete and t < PAST * before
+    )
 
 
 def _run(world: World, steps: int) -> None:
@@ -293,6 +297,6 @@ class _LateError(SandboxError):
         super().__init__("")
 
 
-def _look(until: float) -> None:
+def _check_time(until: float) -> None:
     if process_time() > until:
         raise _LateError

@@ -44,9 +44,9 @@ def _faults(level: Level) -> Iterator[Fault]:
         yield Fault(error.reason, frozenset({error.joint}))
         return
     if contact and not contact.overlaps:
-        least = tolerated(scene.space, contact, values)
-        found = overlaps(scene.space, scene.bodies, least, scene.hollows, scene.gates)
-        for pair in sorted(set(found), reverse=True):
+        smallest = tolerated(scene.space, contact, values)
+        pairs = overlaps(scene.space, scene.bodies, smallest, scene.hollows, scene.gates)
+        for pair in sorted(set(pairs), reverse=True):
             yield Fault(pair.reason, frozenset(pair.bodies))
 
 

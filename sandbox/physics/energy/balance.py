@@ -47,9 +47,9 @@ class Balance:
                 return self.loss[name]
             case "unexplained_energy":
                 return self.unexplained
-        given = self.impulse[name] if name else self.unexplained_impulse
+        impulse = self.impulse[name] if name else self.unexplained_impulse
         if kind in ("angular_impulse", "unexplained_angular_momentum"):
-            return float(given[2])
+            return float(impulse[2])
         if quantity.component:
-            return float(given[COMPONENTS[quantity.component]])
-        return float(np.hypot(given[0], given[1]))
+            return float(impulse[COMPONENTS[quantity.component]])
+        return float(np.hypot(impulse[0], impulse[1]))

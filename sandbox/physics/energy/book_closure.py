@@ -41,7 +41,7 @@ NOTHING = 1e-9
 class Closing(NamedTuple):
     """The closing of the energy books [J]."""
 
-    turned: float
+    turnover: float
     """The turnover: the largest kinetic energy, change of a store, or other entry."""
     unexplained: float
     """The largest amount without a cause."""
@@ -57,28 +57,30 @@ class Closing(NamedTuple):
     @property
     def closes(self) -> bool:
         """Whether the unexplained energy is within the bound, and not a large share of all."""
-        most = min(self.bound, MUCH * self.turned)
-        return self.unexplained <= most or not self._turns
+        limit = min(self.bound, MUCH * self.turnover)
+        return self.unexplained <= limit or not self._has_turnover
 
     @property
-    def _turns(self) -> bool:
+    def _has_turnover(self) -> bool:
         """Whether the turnover is not negligible."""
-        return self.turned > max(NOTHING * self.scale, self.rounding)
+        return self.turnover > max(NOTHING * self.scale, self.rounding)
 
     @property
-    def share(self) -> float:
+    def unexplained_fraction(self) -> float:
         """The unexplained energy over the turnover; 0 if there was none."""
-        return self.unexplained / self.turned if self._turns else 0.0
+        return self.unexplained / self.turnover if self._has_turnover else 0.0
 
     @property
     def text(self) -> str:
         """The closing in words."""
-        if not self._turns:
+        if not self._has_turnover:
             return "nothing turned over"
-        share = self.share
+        fraction = self.unexplained_fraction
         if self.closes:
-            return f"closes to {share:.1g} of {self.turned:.3g} J turned over"
-        text = f"{self.unexplained:.2g} J of {self.turned:.3g} J unexplained ({_percent(share)})"
+            return f"closes to {fraction:.1g} of {self.turnover:.3g} J turned over"
+        text = (
+            f"{self.unexplained:.2g} J of {self.turnover:.3g} J unexplained ({_percent(fraction)})"
+        )
         if self.overlaps > self.unexplained / 2:
             return f"{text}, {self.overlaps:.2g} J of it by taking back overlaps"
         return text
@@ -91,46 +93,46 @@ class Closer:
         self._run, self._ledger = run, Ledger(run)
         self._inertia, start = run.scene.inertia, run.last
         balance = self._ledger.balance
-        self._stored = dict(balance.potential)
-        self._turned, self._unexplained = balance.kinetic, 0.0
-        pull, place = start.smooth[:, :2], start.snapshot.position
-        weight = float(np.sum(self._inertia[:, 0] * np.hypot(*pull.T)))
-        self._scale = sum(map(abs, self._stored.values())) + weight * float(
-            np.ptp(place, axis=0).max()
+        self._stores_at_start = dict(balance.potential)
+        self._turnover, self._unexplained = balance.kinetic, 0.0
+        acceleration, position = start.law_acceleration[:, :2], start.snapshot.position
+        weight = float(np.sum(self._inertia[:, 0] * np.hypot(*acceleration.T)))
+        self._scale = sum(map(abs, self._stores_at_start.values())) + weight * float(
+            np.ptp(position, axis=0).max()
         )
-        speed = blur(np.append(place, 0.0), start.dt)
+        speed = blur(np.append(position, 0.0), start.dt)
         self._rounding = float(self._inertia[:, 0].sum()) * speed**2
-        self._bends = run.scene.joints.together is not None
-        self._strain = self._slope = 0.0
-        self._before = np.full_like(self._inertia, np.nan)
+        self._is_constrained = run.scene.joints.together is not None
+        self._acceleration_term = self._hessian_term = 0.0
+        self._last_acceleration = np.full_like(self._inertia, np.nan)
 
     def note(self) -> None:
         """Add a step."""
         self._ledger.note()
         balance = self._ledger.balance
-        stores = (abs(now - self._stored[name]) for name, now in balance.potential.items())
-        others = (abs(v) for part in (balance.work, balance.loss) for v in part.values())
-        self._turned = max(self._turned, balance.kinetic, *stores, *others)
+        stores = (abs(now - self._stores_at_start[name]) for name, now in balance.potential.items())
+        others = (abs(one) for part in (balance.work, balance.loss) for one in part.values())
+        self._turnover = max(self._turnover, balance.kinetic, *stores, *others)
         self._unexplained = max(self._unexplained, abs(balance.unexplained))
         now = self._run.last.snapshot
-        pull = np.column_stack((now.acceleration, now.angular_acceleration))
-        moves = np.column_stack((now.velocity, now.angular_velocity))
-        self._strain = max(self._strain, float(np.sum(self._inertia * pull * pull)))
-        slope = abs(float(np.sum(self._inertia * moves * (pull - self._before))))
-        self._slope = max(self._slope, 0.0 if isnan(slope) else slope)  # at first NaN
-        self._before = pull
+        a = np.column_stack((now.acceleration, now.angular_acceleration))
+        v = np.column_stack((now.velocity, now.angular_velocity))
+        self._acceleration_term = max(self._acceleration_term, float(np.sum(self._inertia * a * a)))
+        term = abs(float(np.sum(self._inertia * v * (a - self._last_acceleration))))
+        self._hessian_term = max(self._hessian_term, 0.0 if isnan(term) else term)  # at first NaN
+        self._last_acceleration = a
 
     @property
     def closing(self) -> Closing:
         """The closing so far."""
-        dt, bound = self._run.last.dt, ROUNDING * self._turned + KNOWN * self._scale
+        dt, bound = self._run.last.dt, ROUNDING * self._turnover + KNOWN * self._scale
         if not self._run.stepping.is_stock:
-            strain = self._strain * (1 / 12 + self._bends / 4)
-            bound += dt * self._slope / 6 + dt * dt * strain
+            acceleration_term = self._acceleration_term * (1 / 12 + self._is_constrained / 4)
+            bound += dt * self._hessian_term / 6 + dt * dt * acceleration_term
         overlaps = self._ledger.balance.overlaps
-        known = self._scale, self._rounding
-        return Closing(self._turned, self._unexplained, overlaps, bound, *known)
+        scales = self._scale, self._rounding
+        return Closing(self._turnover, self._unexplained, overlaps, bound, *scales)
 
 
-def _percent(share: float) -> str:
-    return f"{100 * share:.2g} %" if share < 1 else f"{share:.2g} times that"
+def _percent(fraction: float) -> str:
+    return f"{100 * fraction:.2g} %" if fraction < 1 else f"{fraction:.2g} times that"

@@ -15,13 +15,13 @@ from sandbox.physics.contacts.impacts.contact_work import (
     pressed,
     rubbing,
 )
-from sandbox.physics.energy.impulse_propagation import reached
+from sandbox.physics.energy.impulse_propagation import reached_by_jerk
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import damps
-from sandbox.physics.forces.velocity_rotation import given
+from sandbox.physics.forces.velocity_rotation import rotation_change
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_forces import JointForces
 from sandbox.physics.state.motion import Instant
@@ -43,9 +43,11 @@ class Attribution:
         self._surfaces = surfaces(scene.bodies.values())
         # in the direct solver, friction takes energy from a rebound
         self.elastic = _elastic(run) and not (scene.direct and level.effects.friction)
-        own = [j for j in level.joints.values() if not (j.kind.force or is_exact(j))]
-        self._driven = any(ledger_accounts.drives(joint, level) for joint in own)
-        self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
+        pymunk_joints = [j for j in level.joints.values() if not (j.kind.force or is_exact(j))]
+        self._has_drives = any(ledger_accounts.drives(joint, level) for joint in pymunk_joints)
+        self._pymunk_jointed = {
+            list(scene.bodies).index(name) for joint in pymunk_joints for name in bodies_of(joint)
+        }
 
     def begin(self) -> None:
         """Begin a kick, or an impact; all entries until the next call are part of it."""
@@ -56,7 +58,7 @@ class Attribution:
         step: StepRecord,
         kick: KickRecord,
         change: Array,
-        pulls: JointForces,
+        joint_forces: JointForces,
         contacts: Contacts,
         slack: Booleans | None,
     ) -> None:
@@ -67,27 +69,30 @@ class Attribution:
         A rope that becomes taut stops all bodies that it reaches at once. There, joints and
         contacts do work on each other within the kick; their total is the loss.
         """
-        rest = kick.inertia * change
-        rest -= sum((self.force(law, kick) for law in self._laws), np.zeros_like(rest))
-        rest -= sum((self._turn(turn, kick) for turn in self._scene.turns), np.zeros_like(rest))
-        impulses, works = self._joints(kick, pulls)
-        rest -= impulses
-        jump = self._jump(step, kick)
-        rest -= jump
-        rest -= self._own(kick, rest, contacts)
-        rest -= self._hand(step, kick, rest, contacts)
-        lost = self._touch(kick, rest, kick.work(jump), contacts)
+        remaining = kick.inertia * change
+        remaining -= sum((self.book_law(law, kick) for law in self._laws), np.zeros_like(remaining))
+        remaining -= sum(
+            (self._book_rotation(turn, kick) for turn in self._scene.rotations),
+            np.zeros_like(remaining),
+        )
+        impulses, works = self._book_joints(kick, joint_forces)
+        remaining -= impulses
+        jump_impulse = self._book_sequential_impacts(step, kick)
+        remaining -= jump_impulse
+        remaining -= self._book_pymunk_joints(kick, remaining, contacts)
+        remaining -= self._book_hand(step, kick, remaining, contacts)
+        loss = self._book_contacts(kick, remaining, kick.work(jump_impulse), contacts)
         if slack is None:
-            self._entries.lose("sticking", float(works.sum()))
+            self._entries.add_loss("sticking", float(works.sum()))
         else:
-            moves = kick.inertia[:, 0] > 0
+            movable = kick.inertia[:, 0] > 0
             if kick.length < 0:  # the excess of the ropes is taken back
-                pulls = pulls._replace(tension=np.abs(pulls.tension))
-            lost += float(works[reached(pulls, contacts, slack, moves)].sum())
-        if lost:
-            self._entries.lose("impacts", lost)
+                joint_forces = joint_forces._replace(tension=np.abs(joint_forces.tension))
+            loss += float(works[reached_by_jerk(joint_forces, contacts, slack, movable)].sum())
+        if loss:
+            self._entries.add_loss("impacts", loss)
 
-    def jolt(self, jolt: "Jolt") -> None:
+    def book_jolt(self, jolt: "Jolt") -> None:
         """Book an impact of joints at one instant: the energy that they take is lost."""
         self.begin()
         kick = KickRecord(
@@ -98,35 +103,37 @@ class Attribution:
             (jolt.begun + jolt.after) / 2,
             self._mass,
         )
-        impulses, works = self._joints(kick, jolt.pulls)
-        rest = kick.inertia * (jolt.after - jolt.begun) - impulses
-        lost = float(works.sum()) + self._touch(kick, rest, 0.0, jolt.contacts)
+        impulses, works = self._book_joints(kick, jolt.pulls)
+        remaining = kick.inertia * (jolt.after - jolt.begun) - impulses
+        loss = float(works.sum()) + self._book_contacts(kick, remaining, 0.0, jolt.contacts)
         if not jolt.elastic:
-            self._entries.lose("impacts", lost)
+            self._entries.add_loss("impacts", loss)
 
-    def force(self, law: Law, kick: KickRecord) -> Array:
+    def book_law(self, law: Law, kick: KickRecord) -> Array:
         """Book the impulse of a law, and return it: (n, 3).
 
         A kinematic body resists the force, and thereby does work.
         """
-        every = self._impulse(law, kick)
-        impulse = np.where(kick.inertia > 0, every, 0.0)
-        self._entries.give(law.effect.name, impulse, kick.place)
+        full_impulse = self._impulse(law, kick)
+        impulse = np.where(kick.inertia > 0, full_impulse, 0.0)
+        self._entries.add_impulse(law.effect.name, impulse, kick.place)
         if law.effect.book in ("work", "loss"):
-            self._entries.do(law, kick.work(every))
+            self._entries.add_law_work(law, kick.work(full_impulse))
         if "bodies" in self._entries.works:
-            self._entries.works["bodies"] -= kick.work(np.where(self._mass[:, :1] > 0, 0.0, every))
+            self._entries.works["bodies"] -= kick.work(
+                np.where(self._mass[:, :1] > 0, 0.0, full_impulse)
+            )
         if damps(law):
             elastic = self._impulse(replace(law, damping=0.0), kick)
-            self._entries.losses["damping"] += kick.work(every - elastic)
+            self._entries.losses["damping"] += kick.work(full_impulse - elastic)
         return impulse
 
-    def _turn(self, turn: VelocityRotation, kick: KickRecord) -> Array:
+    def _book_rotation(self, turn: VelocityRotation, kick: KickRecord) -> Array:
         """Book the impulse of forces that turn velocities, which do no work; return it: (n, 3)."""
         impulse = np.zeros_like(self._mass)
-        change = given(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
+        change = rotation_change(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
         impulse[:, :2] = kick.inertia[:, :2] * change
-        self._entries.give(turn.effect.name, impulse, kick.place)
+        self._entries.add_impulse(turn.effect.name, impulse, kick.place)
         return impulse
 
     def _impulse(self, law: Law, kick: KickRecord) -> Array:
@@ -134,95 +141,103 @@ class Attribution:
         law.add(kick.seen, wrench)
         return wrench * kick.length
 
-    def _joints(self, kick: KickRecord, pulls: JointForces) -> tuple[Array, Array]:
+    def _book_joints(self, kick: KickRecord, joint_forces: JointForces) -> tuple[Array, Array]:
         """Book the impulses of the exact joints; return them, (n, 3), and their works, (m,).
 
         The works of driven joints are booked here, and returned as 0.
         """
-        carried = np.where(kick.inertia[:, :1] == 0, kick.mean, 0.0)  # of kinematic bodies
-        drives = pulls.changes | (pulls.jacobian * carried != 0).any(axis=(1, 2))
-        impulses = -pulls.tension[:, None, None] * pulls.jacobian
+        prescribed = np.where(kick.inertia[:, :1] == 0, kick.mean, 0.0)  # of kinematic bodies
+        drives = joint_forces.changes | (joint_forces.jacobian * prescribed != 0).any(axis=(1, 2))
+        impulses = -joint_forces.tension[:, None, None] * joint_forces.jacobian
         impulses = np.where(kick.inertia > 0, impulses, 0.0)
         works = np.sum(impulses * kick.mean, axis=(1, 2))
         if "joints" in self._entries.works:
             self._entries.works["joints"] += float(works[drives].sum())
-        together: Array = impulses.sum(axis=0)
-        self._entries.give("supports", together, kick.place)
-        return together, np.where(drives, 0.0, works)
+        total: Array = impulses.sum(axis=0)
+        self._entries.add_impulse("supports", total, kick.place)
+        return total, np.where(drives, 0.0, works)
 
-    def _own(self, kick: KickRecord, rest: Array, contacts: Contacts) -> Array:
+    def _book_pymunk_joints(self, kick: KickRecord, remaining: Array, contacts: Contacts) -> Array:
         """Book pymunk's own joints: the rest of the impulse on their bodies, without contacts."""
-        impulse = np.zeros_like(rest)
-        if not self._hung:
+        impulse = np.zeros_like(remaining)
+        if not self._pymunk_jointed:
             return impulse
-        for row in self._hung:
-            impulse[row] = rest[row]
+        for row in self._pymunk_jointed:
+            impulse[row] = remaining[row]
             impulse[row, :2] -= pressed(contacts, row)
         impulse[kick.inertia == 0] = 0.0
-        self._entries.give("supports", impulse, kick.place)
-        if self._driven:
+        self._entries.add_impulse("supports", impulse, kick.place)
+        if self._has_drives:
             self._entries.works["joints"] += kick.work(impulse)
         return impulse
 
-    def _couples(self, kick: KickRecord, contacts: Contacts, impulse: Array) -> Array | float:
+    def _contact_torques(
+        self, kick: KickRecord, contacts: Contacts, impulse: Array
+    ) -> Array | float:
         """Return the torques of contacts, (k,), if a kinematic body turns in one; else 0."""
         turns = (self._mass[:, 2] == 0) & (kick.mean[:, 2] != 0)
         if not turns[contacts.bodies].any():
             return 0.0
         return couples(contacts, impulse, kick.place, kick.inertia)
 
-    def _jump(self, step: StepRecord, kick: KickRecord) -> Array:
+    def _book_sequential_impacts(self, step: StepRecord, kick: KickRecord) -> Array:
         """Book the impulses of sequential impacts, and return them: (n, 3)."""
-        if step.jump is None:
+        if step.velocity_jump is None:
             return np.zeros_like(self._mass)
-        impulse = kick.inertia * step.jump
-        self._entries.give("supports", impulse, kick.place)
+        impulse = kick.inertia * step.velocity_jump
+        self._entries.add_impulse("supports", impulse, kick.place)
         return impulse
 
-    def _hand(self, step: StepRecord, kick: KickRecord, rest: Array, contacts: Contacts) -> Array:
+    def _book_hand(
+        self, step: StepRecord, kick: KickRecord, remaining: Array, contacts: Contacts
+    ) -> Array:
         """Book the impulse of a hand, without that of contacts, and return it: (n, 3)."""
-        impulse = np.zeros_like(rest)
+        impulse = np.zeros_like(remaining)
         hold = step.hold
         if hold is None:
             return impulse
         row, (x, y) = hold
-        pull = rest[row, :2] - pressed(contacts, row)
+        pull = remaining[row, :2] - pressed(contacts, row)
         impulse[row] = *pull, (x * pull[1] - y * pull[0]) * (self._mass[row, 2] > 0)
         self._entries.works["hand"] += kick.work(impulse)
         self._entries.impulses.setdefault("hand", np.zeros(3))
-        self._entries.give("hand", impulse, kick.place)
+        self._entries.add_impulse("hand", impulse, kick.place)
         return impulse
 
-    def _touch(self, kick: KickRecord, rest: Array, jumped: float, contacts: Contacts) -> float:
+    def _book_contacts(
+        self, kick: KickRecord, remaining: Array, jump_work: float, contacts: Contacts
+    ) -> float:
         """Book the contacts: the remaining impulses on touching bodies, and sequential impacts.
 
         Return the work of impacts.
         """
         if not len(contacts.bodies):
             return 0.0
-        touching = np.zeros(len(rest), dtype=bool)
+        touching = np.zeros(len(remaining), dtype=bool)
         touching[contacts.bodies] = True
-        impulse = np.where(touching[:, None], rest, 0.0)
-        self._entries.give("supports", impulse, kick.place)
+        impulse = np.where(touching[:, None], remaining, 0.0)
+        self._entries.add_impulse("supports", impulse, kick.place)
         pressing = kick.work(impulse)
-        whole = completed(contacts, impulse)
-        turned = self._couples(kick, whole, impulse)
-        across, drives = rubbing(whole, kick.place, kick.mean, kick.inertia, self._surfaces, turned)
+        complete = completed(contacts, impulse)
+        torques = self._contact_torques(kick, complete, impulse)
+        friction_work, drives = rubbing(
+            complete, kick.place, kick.mean, kick.inertia, self._surfaces, torques
+        )
         drives = {name: work for name, work in drives.items() if name in self._entries.works}
-        given = jumped + pressing - sum(drives.values())
+        contact_work = jump_work + pressing - sum(drives.values())
         if not kick.length:
             # in an impact friction and rebound act at once, and exchange energy
-            across = min(max(across, given), 0.0)
-        self._entries.put_in(drives)
+            friction_work = min(max(friction_work, contact_work), 0.0)
+        self._entries.add_works(drives)
         if "friction" in self._entries.losses:
-            across = self._entries.lose("friction", across)
-        lost = given - across
-        if lost > 0 and not kick.length and "sticking" in self._entries.losses:
+            friction_work = self._entries.add_loss("friction", friction_work)
+        loss = contact_work - friction_work
+        if loss > 0 and not kick.length and "sticking" in self._entries.losses:
             self._entries.losses["sticking"] += (
-                lost  # bodies that stick press on each other in the same impact
+                loss  # bodies that stick press on each other in the same impact
             )
             return 0.0
-        return 0.0 if self.elastic else lost
+        return 0.0 if self.elastic else loss
 
 
 def _elastic(run: Recorded) -> bool:
@@ -230,5 +245,7 @@ def _elastic(run: Recorded) -> bool:
     effect, values = run.level.effects.restitution, run.values
     if effect is None:
         return False
-    own = [body.restitution for body in run.level.bodies.values() if body.restitution]
-    return all(e(values) == 1 for e in (*own, *(pair.coefficient for pair in effect.pairs)))
+    coefficients = [body.restitution for body in run.level.bodies.values() if body.restitution]
+    return all(
+        e(values) == 1 for e in (*coefficients, *(pair.coefficient for pair in effect.pairs))
+    )

@@ -30,7 +30,7 @@ class InnerKick(NamedTuple):
 
 
 def kicks_within(
-    divided: "DividedDrift", begin: Instant, seen: Motion, inertia: Callable[[float], Array]
+    divided: "DividedDrift", start: Instant, law_motion: Motion, inertia: Callable[[float], Array]
 ) -> Iterator[InnerKick]:
     """Yield the kicks between the parts of a drift; there is at least one.
 
@@ -40,17 +40,21 @@ def kicks_within(
     in parts. The kick after it is booked as a whole one, although it begins in the middle of a
     part; the excess is taken back before it.
 
-    `begin` is the motion in the middle of the first part, and `seen` the motion that the laws saw
-    in the kick before it. `inertia` returns masses, masses and moments at a time [s]:
-    (n, 3) [kg, kg m²].
+    `start` is the motion in the middle of the first part, and `law_motion` the motion that the laws
+    saw in the kick before it. `inertia` returns masses, masses and moments at a time [s]: (n, 3)
+    [kg, kg m²].
     """
-    t, begun = float(begin.t), np.column_stack((begin.velocity, begin.angular_velocity))
+    t, velocity_before = float(start.t), np.column_stack((start.velocity, start.angular_velocity))
 
-    def kick(t: float, lasts: float, place: Array, ended: Array) -> KickRecord:
+    def kick(t: float, duration: float, pose: Array, velocity_after: Array) -> KickRecord:
         kicked = np.where(divided.reached[:, None], inertia(t), 0.0)
-        return KickRecord(t, lasts, seen, place[:, :2], (begun + ended) / 2, kicked)
+        return KickRecord(
+            t, duration, law_motion, pose[:, :2], (velocity_before + velocity_after) / 2, kicked
+        )
 
-    for place, jacobian, (lasts, ended, pulls, contacts) in divided.between:
-        now = kick(t + lasts / 2, lasts, place, ended)
-        yield InnerKick(now, ended - begun, pulls, jacobian, contacts)
-        t, begun = t + lasts, ended
+    for pose, jacobian, (duration, velocity_after, joint_impulses, contacts) in divided.between:
+        record = kick(t + duration / 2, duration, pose, velocity_after)
+        yield InnerKick(
+            record, velocity_after - velocity_before, joint_impulses, jacobian, contacts
+        )
+        t, velocity_before = t + duration, velocity_after

@@ -52,35 +52,40 @@ class Ledger:
     """Keeps the books of a run, such as a world, at no cost to the run itself; n bodies.
 
     Open it on a run, call `note` after every step, and read its `balance`. All it knows of a step
-    is the run's record of it. `steps` counts the steps that are booked. `begun`, (n, 3), are the
-    velocities at the beginning of the last kick [m/s, rad/s], to open the books one step earlier.
+    is the run's record of it. `steps` counts the steps that are booked. `pre_kick_velocity`, (n,
+    3), are the velocities at the beginning of the last kick [m/s, rad/s], to open the books one
+    step earlier.
     """
 
-    def __init__(self, run: Recorded, begun: Array | None = None) -> None:
+    def __init__(self, run: Recorded, pre_kick_velocity: Array | None = None) -> None:
         scene, level = run.scene, run.level
         self._run, self._scene, self._step = run, scene, run.last
         self._laws: tuple[Law, ...] = (*([scene.gravity] if scene.gravity else []), *scene.laws)
-        self._mechanics = MechanicalEnergy(level, self._laws, scene.inertia, scene.share)
+        self._mechanics = MechanicalEnergy(level, self._laws, scene.inertia, scene.mass_fraction)
         self._entries = Entries(level)
-        self._causes = Attribution(run, self._laws, self._entries)
+        self._attribution = Attribution(run, self._laws, self._entries)
         self._composed = self._step.composed
         if self._composed:
-            begun = None
+            pre_kick_velocity = None
             run.keep_trail()
-        self._back = begun is not None
-        self.steps = self._step.steps - self._back
-        self._velocity = self._left() if begun is None else begun
-        pulls = pulls_of(scene.joints, len(scene.inertia))
-        self._pulls = pulls, pulls  # of the last kick, and of that before it
-        self._slack = pulls.tension <= 0
+        self._opens_early = pre_kick_velocity is not None
+        self.steps = self._step.steps - self._opens_early
+        self._velocity = self._coming_velocity() if pre_kick_velocity is None else pre_kick_velocity
+        forces = pulls_of(scene.joints, len(scene.inertia))
+        self._joint_forces = forces, forces  # of the last kick, and of that before it
+        self._was_slack = forces.tension <= 0
         self._overlaps = 0.0
-        start = self._middle(-0.5 if self._back else 0.5 * self._first(), self._velocity)
+        start = self._motion_at(
+            -0.5 if self._opens_early else 0.5 * self._first_share(), self._velocity
+        )
         if self._composed:
             start = Instant.of(self._step.snapshot)
-        energy = self._mechanics.kinetic(start) + sum(self._mechanics.stored_by(start).values())
+        energy = self._mechanics.kinetic(start) + sum(
+            self._mechanics.potential_by_account(start).values()
+        )
         self._start = energy, self._mechanics.momentum(start)
         self._end = start
-        self._seen: Motion = self._step.seen or start  # by the laws in the last kick
+        self._law_motion: Motion = self._step.law_motion or start  # by the laws in the last kick
 
     def note(self) -> None:
         """Book the world's last step, unless it is booked already.
@@ -94,34 +99,36 @@ class Ledger:
             raise ValueError(f"the ledger has seen step {self.steps}, the world {step.steps}")
         self.steps = step.steps
         if self._composed and step.composed:
-            self._follow()
+            self._book_composed_step()
             return
         if self._composed:
             self._change_over()
-        before = self._velocity if self._back else self._drifted()
-        self._back = False
-        self._part(before)
-        after = self._left()
-        t = step.t if step.seen is None else float(step.seen.t)
-        seen = step.seen or self._middle(0.0, before)
+        before = self._velocity if self._opens_early else self._book_drift_events()
+        self._opens_early = False
+        self._book_overlap_correction(before)
+        after = self._coming_velocity()
+        t = step.t if step.law_motion is None else float(step.law_motion.t)
+        law_motion = step.law_motion or self._motion_at(0.0, before)
         moment = KickRecord(
-            t, step.dt, seen, step.snapshot.position, before, self._mechanics.inertia(t)
+            t, step.dt, law_motion, step.snapshot.position, before, self._mechanics.inertia(t)
         )
-        self._carry(t, before, after)
-        pulls = pulls_of(self._scene.joints, len(self._scene.inertia))
-        slack, begun = pulls.slack_before(*self._pulls), before
-        stuck = not step.acted and bool(pulls.new(self._pulls[0]).any())
-        for number, stage in enumerate(self._stages(after, pulls.tension)):
-            lasts, ended, tension, contacts = stage
-            if number or not step.divided:
-                self._causes.begin()
-            kick = moment._replace(length=lasts, mean=(begun + ended) / 2)
-            held = pulls._replace(tension=tension)
-            self._causes.book(step, kick, ended - begun, held, contacts, None if stuck else slack)
-            begun, slack = ended, slack | (tension <= 0)
-        self._pulls = pulls, self._pulls[0]
-        self._velocity, self._end = after, self._middle(0.5 * self._first(), after)
-        self._seen, self._slack = seen, slack
+        self._book_matter_flows(t, before, after)
+        forces = pulls_of(self._scene.joints, len(self._scene.inertia))
+        slack, start = forces.slack_before(*self._joint_forces), before
+        stuck = not step.events and bool(forces.new(self._joint_forces[0]).any())
+        for number, stage in enumerate(self._stages(after, forces.tension)):
+            duration, end, tension, contacts = stage
+            if number or not step.divided_drift:
+                self._attribution.begin()
+            kick = moment._replace(length=duration, mean=(start + end) / 2)
+            held = forces._replace(tension=tension)
+            self._attribution.book(
+                step, kick, end - start, held, contacts, None if stuck else slack
+            )
+            start, slack = end, slack | (tension <= 0)
+        self._joint_forces = forces, self._joint_forces[0]
+        self._velocity, self._end = after, self._motion_at(0.5 * self._first_share(), after)
+        self._law_motion, self._was_slack = law_motion, slack
 
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
         """Return the parts of the last kick, with impulses in place of forces."""
@@ -130,9 +137,9 @@ class Ledger:
             return direct.drifts.divided.before
         if direct and direct.stages:
             return direct.stages
-        return (Stage(dt, after, tension * dt, self._kicked()),)
+        return (Stage(dt, after, tension * dt, self._kick_contacts()),)
 
-    def _follow(self) -> None:
+    def _book_composed_step(self) -> None:
         """Book the kicks of a composed step, in which only smooth forces and joints act.
 
         Half of the kicks at its two ends belongs to the step.
@@ -154,7 +161,7 @@ class Ledger:
 
     def _change_over(self) -> None:
         """Book the half kick with which the world has changed to leapfrog, for a hand."""
-        self._velocity = self._step.begun
+        self._velocity = self._step.pre_kick_velocity
         self._push(float(self._end.t), self._step.dt / 2, self._end, self._velocity)
         self._composed = False
 
@@ -162,28 +169,30 @@ class Ledger:
         """Book a kick in which only laws and joints act, up to the velocities `after`, (n, 3)."""
         before, inertia = velocity_of(seen), self._mechanics.inertia(t)
         kick = KickRecord(t, length, seen, seen.position, (before + after) / 2, inertia)
-        laws = sum((self._causes.force(law, kick) for law in self._laws), np.zeros_like(after))
+        laws = sum(
+            (self._attribution.book_law(law, kick) for law in self._laws), np.zeros_like(after)
+        )
         if self._scene.joints.together:
-            self._entries.give("supports", inertia * (after - before) - laws, kick.place)
+            self._entries.add_impulse("supports", inertia * (after - before) - laws, kick.place)
 
     @property
     def balance(self) -> Balance:
         """The present balance of the books."""
         kinetic, entries = self._mechanics.kinetic(self._end), self._entries
-        potential = self._mechanics.stored_by(self._end)
-        (begun, begun_with), given = self._start, sum(entries.impulses.values(), np.zeros(3))
+        potential = self._mechanics.potential_by_account(self._end)
+        (energy, momentum), total = (self._start, sum(entries.impulses.values(), np.zeros(3)))
         return Balance(
             kinetic,
             potential,
             dict(entries.works),
             {name: -work for name, work in entries.losses.items()},
-            kinetic + sum(potential.values()) - begun - entries.explained,
+            kinetic + sum(potential.values()) - energy - entries.explained,
             {name: impulse.copy() for name, impulse in entries.impulses.items()},
-            self._mechanics.momentum(self._end) - begun_with - given,
+            self._mechanics.momentum(self._end) - momentum - total,
             self._overlaps,
         )
 
-    def _middle(self, ahead: float, velocity: Array) -> Instant:
+    def _motion_at(self, ahead: float, velocity: Array) -> Instant:
         """Return the motion a number of steps after (or before) the last one, at this velocity."""
         now, later = self._step.snapshot, ahead * self._step.dt
         return Instant(
@@ -194,109 +203,109 @@ class Ledger:
             velocity[:, 2],
         )
 
-    def _drifted(self) -> Array:
+    def _book_drift_events(self) -> Array:
         """Book the events within the last drift; return the velocities at its end: (n, 3)."""
         step = self._step
-        if step.acted and step.divided:  # at the start of a drift with landings
-            self._entries.put_in({"events": step.acted.switched})
-            return self._divide(step.divided)
-        if step.acted:
-            return self._act(step.acted)
-        if step.stop:
-            return self._stop(step.stop)
-        if step.divided:
-            return self._divide(step.divided)
-        return self._cut(step.impacts) if step.impacts else self._velocity
+        if step.events and step.divided_drift:  # at the start of a drift with landings
+            self._entries.add_works({"events": step.events.switched})
+            return self._book_divided_drift(step.divided_drift)
+        if step.events:
+            return self._book_events(step.events)
+        if step.slip_ends:
+            return self._book_slip_ends(step.slip_ends)
+        if step.divided_drift:
+            return self._book_divided_drift(step.divided_drift)
+        return self._book_impacts(step.impacts) if step.impacts else self._velocity
 
-    def _left(self) -> Array:
+    def _coming_velocity(self) -> Array:
         """Return the velocities of the coming drift, or of its first part: (n, 3) [m/s, rad/s]."""
         direct = self._scene.direct
         if direct and direct.drifts.divided:
             return direct.drifts.divided.before[-1].velocity
         return self._scene.batch.velocity()
 
-    def _first(self) -> float:
+    def _first_share(self) -> float:
         """Return the length of the first part of the coming drift, as a share of the drift."""
         direct = self._scene.direct
         return direct.drifts.divided.first if direct and direct.drifts.divided else 1.0
 
-    def _divide(self, divided: "DividedDrift") -> Array:
+    def _book_divided_drift(self, divided: "DividedDrift") -> Array:
         """Book a drift in parts; return the velocities at its end, as of a whole drift: (n, 3).
 
         Its first kick may belong to the whole kick before it, and takes back the excess of that;
         its last kick belongs to the whole kick after it, for the same reason.
         """
-        kicks = kicks_within(divided, self._end, self._seen, self._mechanics.inertia)
+        kicks = kicks_within(divided, self._end, self._law_motion, self._mechanics.inertia)
         for number, (kick, change, impulses, jacobian, contacts) in enumerate(kicks):
             if number or kick.length >= 0:
-                self._causes.begin()
-            pulls = self._pulls[0]._replace(tension=impulses, jacobian=jacobian)
+                self._attribution.begin()
+            forces = self._joint_forces[0]._replace(tension=impulses, jacobian=jacobian)
             if kick.length >= 0:
-                self._slack = pulls.slack_before(*self._pulls)
-                self._pulls = pulls, self._pulls[0]
-            self._causes.book(self._step, kick, change, pulls, contacts, self._slack)
+                self._was_slack = forces.slack_before(*self._joint_forces)
+                self._joint_forces = forces, self._joint_forces[0]
+            self._attribution.book(self._step, kick, change, forces, contacts, self._was_slack)
         half = self._step.dt / 2
-        self._go_on(divided.begun, divided.lifted)
+        self._set_mid_drift(divided.begun, divided.lifted)
         middle = divided.end - half * divided.begun
         self._end = Instant.at(self._step.t - half, middle, divided.begun)
         return divided.begun
 
-    def _cut(self, collided: Collided) -> Array:
+    def _book_impacts(self, collided: Collided) -> Array:
         """Book the impacts within the last drift; return the velocities at its end."""
         impacts = collided.impacts
-        self._go_on(collided.begun, collided.lifted)
-        self._entries.put_in(
+        self._set_mid_drift(collided.begun, collided.lifted)
+        self._entries.add_works(
             {"bodies": sum(i.kinematic for i in impacts), "belt": sum(i.driven for i in impacts)}
         )
-        self._entries.rub(sum(impact.rubbed for impact in impacts))
-        if not self._causes.elastic:
+        self._entries.add_friction(sum(impact.rubbed for impact in impacts))
+        if not self._attribution.elastic:
             for impact in impacts:
-                self._causes.begin()
-                self._entries.lose("impacts", impact.pressed)
-        self._entries.support(sum((impact.given for impact in impacts), collided.pulled))
+                self._attribution.begin()
+                self._entries.add_loss("impacts", impact.pressed)
+        self._entries.add_support(sum((impact.given for impact in impacts), collided.pulled))
         return collided.begun
 
-    def _stop(self, stop: SlipEntries) -> Array:
+    def _book_slip_ends(self, stop: SlipEntries) -> Array:
         """Book the ends of slipping in the last drift; return the velocities at its end."""
         before = self._end
-        self._go_on(stop.begun, stop.lifted)
+        self._set_mid_drift(stop.begun, stop.lifted)
         for law in self._laws:
             wrench = np.zeros_like(self._scene.inertia)
             law.add(before, wrench)
-            self._entries.do(law, float(np.sum(wrench * stop.way)))
-        self._entries.put_in(stop.works)
-        self._entries.rub(stop.rubbed)
-        self._entries.support(stop.given)
+            self._entries.add_law_work(law, float(np.sum(wrench * stop.way)))
+        self._entries.add_works(stop.works)
+        self._entries.add_friction(stop.rubbed)
+        self._entries.add_support(stop.given)
         return stop.begun
 
-    def _act(self, happened: EventEntries) -> Array:
+    def _book_events(self, happened: EventEntries) -> Array:
         """Book the events in the last drift; return the velocities at its end."""
-        self._go_on(happened.begun, happened.lifted)
-        self._entries.put_in({"events": happened.switched, **happened.rubs})
-        self._entries.rub(happened.rubbed)
-        rest = happened.given
-        for law, worked, pushed in zip(self._laws, happened.worked, happened.pushed, strict=True):
-            self._entries.do(law, worked)
+        self._set_mid_drift(happened.begun, happened.lifted)
+        self._entries.add_works({"events": happened.switched, **happened.rubs})
+        self._entries.add_friction(happened.rubbed)
+        support_impulse = happened.given
+        for law, work, impulse in zip(self._laws, happened.worked, happened.pushed, strict=True):
+            self._entries.add_law_work(law, work)
             if damps(law):
-                self._entries.losses["damping"] += worked
+                self._entries.losses["damping"] += work
             if law.effect.name in self._entries.impulses:
-                self._entries.impulses[law.effect.name] += pushed
-            rest = rest - pushed
-        self._entries.support(rest)
+                self._entries.impulses[law.effect.name] += impulse
+            support_impulse = support_impulse - impulse
+        self._entries.add_support(support_impulse)
         for jolt in happened.jolts:
-            self._causes.jolt(jolt)
+            self._attribution.book_jolt(jolt)
         return happened.begun
 
-    def _go_on(self, begun: Array, lifted: float) -> None:
+    def _set_mid_drift(self, begun: Array, lifted: float) -> None:
         """Set the motion in the middle of the last drift as if the drift had not been cut.
 
         The difference in energy there is attributed to the start of the books.
         """
-        self._end = self._middle(-0.5, begun)
+        self._end = self._motion_at(-0.5, begun)
         energy, momentum_then = self._start
         self._start = energy + lifted, momentum_then
 
-    def _part(self, drifted: Array) -> None:
+    def _book_overlap_correction(self, drifted: Array) -> None:
         """Add the energy from the correction of overlaps, which moved bodies after their drift."""
         if not len(self._step.contacts.bodies):
             return
@@ -305,32 +314,34 @@ class Ledger:
             position=self._end.position + half * drifted[:, :2],
             angle=self._end.angle + half * drifted[:, 2],
         )
-        moved = np.abs(now.position - ended.position).max()
-        if moved > SEEN * (1 + np.abs(now.position).max()):
-            there = ended._replace(position=now.position, angle=now.angle)
-            self._overlaps += self._mechanics.stored(there) - self._mechanics.stored(ended)
+        largest_move = np.abs(now.position - ended.position).max()
+        if largest_move > SEEN * (1 + np.abs(now.position).max()):
+            corrected = ended._replace(position=now.position, angle=now.angle)
+            self._overlaps += self._mechanics.potential(corrected) - self._mechanics.potential(
+                ended
+            )
 
-    def _carry(self, t: float, before: Array, after: Array) -> None:
+    def _book_matter_flows(self, t: float, before: Array, after: Array) -> None:
         """Book the energy and momentum of matter that bodies gain or lose."""
-        flows = self._scene.share
+        flows = self._scene.mass_fraction
         if not isinstance(flows, MassFlows):
             return
         earlier, now, later = (
             self._mechanics.inertia(t + h * self._step.dt) for h in (-0.5, 0, 0.5)
         )
-        brought = (later - now) * after + (now - earlier) * before
+        gained = (later - now) * after + (now - earlier) * before
         energy = np.sum((later - now) * after * after + (now - earlier) * before * before, axis=1)
         energy = (
             energy / 2
-            + self._mechanics.stored_with(self._end, t)
-            - self._mechanics.stored_with(self._middle(0.5, after), t)
+            + self._mechanics.potential_change_by_mass(self._end, t)
+            - self._mechanics.potential_change_by_mass(self._motion_at(0.5, after), t)
         )
         for name, bodies in flows.carriers().items():
-            share = np.zeros_like(brought)
-            share[bodies] = brought[bodies]
-            self._entries.give(name, share, self._step.snapshot.position)
+            carried = np.zeros_like(gained)
+            carried[bodies] = gained[bodies]
+            self._entries.add_impulse(name, carried, self._step.snapshot.position)
             self._entries.works[name] += float(energy[bodies].sum())
 
-    def _kicked(self) -> Contacts:
+    def _kick_contacts(self) -> Contacts:
         """Return the contacts of the kick, without the impacts that cut the drift before it."""
-        return self._step.contacts.after(self._step.over)
+        return self._step.contacts.without_first(self._step.impact_count)

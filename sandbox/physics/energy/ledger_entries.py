@@ -21,50 +21,50 @@ class Entries:
     def __init__(self, level: Level) -> None:
         self.works = dict.fromkeys((*ledger_accounts.works(level), "hand"), 0.0)
         self.losses = dict.fromkeys(ledger_accounts.losses(level), 0.0)
-        self.impulses = {name: np.zeros(3) for name in ledger_accounts.outside(level)}
-        self._lost: dict[str, float] | None = None  # in the kick or impact so far [J]
+        self.impulses = {name: np.zeros(3) for name in ledger_accounts.external_accounts(level)}
+        self._loss_in_kick: dict[str, float] | None = None  # in the kick or impact so far [J]
 
     def begin(self) -> None:
         """Begin a kick, or an impact: within it, a gain may cancel earlier losses, and no more."""
-        self._lost = {}
+        self._loss_in_kick = {}
 
-    def give(self, name: str, impulse: Array, place: Array) -> None:
+    def add_impulse(self, name: str, impulse: Array, position: Array) -> None:
         """Book impulses (n, 3) at places, unless they are internal to the system."""
         if name in self.impulses:
-            self.impulses[name] = self.impulses[name] + momentum(impulse, place)
+            self.impulses[name] = self.impulses[name] + momentum(impulse, position)
 
-    def support(self, given: Array) -> None:
+    def add_support(self, impulse: Array) -> None:
         """Book an impulse from supports: (3,)."""
         if "supports" in self.impulses:
-            self.impulses["supports"] += given
+            self.impulses["supports"] += impulse
 
-    def put_in(self, works: Mapping[str, float]) -> None:
+    def add_works(self, works: Mapping[str, float]) -> None:
         """Book works by cause, where there is an account for the cause."""
         for name in works.keys() & self.works.keys():
             self.works[name] += works[name]
 
-    def do(self, law: Law, work: float) -> None:
+    def add_law_work(self, law: Law, work: float) -> None:
         """Book the work of a law, unless it stores energy."""
         if law.effect.book == "work":
-            self.works[law.effect.booked] += work
+            self.works[law.effect.account_name] += work
         elif law.effect.book == "loss":
-            self.losses[law.effect.booked] += work
+            self.losses[law.effect.account_name] += work
 
-    def rub(self, work: float) -> None:
+    def add_friction(self, work: float) -> None:
         """Book the work of friction."""
         if "friction" in self.losses:
             self.losses["friction"] += work
 
-    def lose(self, name: str, work: float) -> float:
+    def add_loss(self, name: str, work: float) -> float:
         """Book a loss, and return the booked part; a net gain in a kick stays unexplained.
 
         Before the first kick, what is booked takes back a part of the kick that opened the books.
         """
-        if self._lost is None:
+        if self._loss_in_kick is None:
             self.losses[name] += work
             return work
-        before = self._lost.get(name, 0.0)
-        self._lost[name] = before + work
+        before = self._loss_in_kick.get(name, 0.0)
+        self._loss_in_kick[name] = before + work
         booked = min(before + work, 0.0) - min(before, 0.0)
         self.losses[name] += booked
         return booked

@@ -29,15 +29,15 @@ class StepRecord(NamedTuple):
     snapshot: Snapshot
     contacts: Contacts
     """The state, and the contacts."""
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the last kick [m/s, rad/s]."""
-    after: Array | None
+    post_kick_velocity: Array | None
     """(n, 3), the velocities at its end; None at the start of a run."""
-    seen: Reading | None
+    law_motion: Reading | None
     """The motion that the laws saw in the last kick; None if there are none."""
-    smooth: Array
+    law_acceleration: Array
     """(n, 3), the accelerations by gravity and force laws in the last kick [m/s², rad/s²]."""
-    turned: Array | None
+    turning_acceleration: Array | None
     """(n, 2), the part of these that rotated velocities [m/s²]; None without such forces."""
     parts: Sequence[Substep]
     """The drifts and kicks of the step."""
@@ -46,17 +46,17 @@ class StepRecord(NamedTuple):
     hold: tuple[int, XY] | None
     """The row of the body that a hand holds, and the lever arm from its centre to the grip [m];
     None if it holds none."""
-    over: int = 0
+    impact_count: int = 0
     """The number of contacts, first in the list, that were impacts in its drift."""
     impacts: "Collided | None" = None
     """The located impacts in its drift; None if there were none."""
-    stop: "SlipEntries | None" = None
+    slip_ends: "SlipEntries | None" = None
     """The ends of slipping in its drift; None if there were none."""
-    acted: "EventEntries | None" = None
+    events: "EventEntries | None" = None
     """The events in its drift; None if there were none."""
-    divided: "DividedDrift | None" = None
+    divided_drift: "DividedDrift | None" = None
     """The parts of its drift, if it was taken in parts; else None."""
-    jump: Array | None = None
+    velocity_jump: Array | None = None
     """(n, 3), the jumps of velocity in sequential impacts [m/s, rad/s]; None without."""
 
     @property

@@ -25,10 +25,10 @@ class PreSolveContact:
             int(ffi.cast("uintptr_t", self._arbiter.b)),
         )
 
-    def places(self) -> tuple[tuple[complex, complex], tuple[complex, complex]]:
+    def poses(self) -> tuple[tuple[complex, complex], tuple[complex, complex]]:
         """Return the positions and rotations of the two bodies: x + iy [m], cos + i sin."""
         arbiter = self._arbiter
-        return _place(arbiter.body_a), _place(arbiter.body_b)
+        return _pose(arbiter.body_a), _pose(arbiter.body_b)
 
     @property
     def normal(self) -> complex:
@@ -39,7 +39,7 @@ class PreSolveContact:
     def point(self) -> complex:
         """The first contact point, on the surface of the first [m]."""
         arm = self._arbiter.contacts[0].r1
-        return _place(self._arbiter.body_a)[0] + complex(arm.x, arm.y)
+        return _pose(self._arbiter.body_a)[0] + complex(arm.x, arm.y)
 
     def motions(self) -> tuple[tuple[complex, float], tuple[complex, float]]:
         """Return the velocities and angular velocities of the two bodies [m/s, rad/s]."""
@@ -68,7 +68,7 @@ class PreSolveContact:
     def replace(self, normal: complex, one: complex, other: complex) -> None:
         """Replace pymunk's normal, from first to second, and the contact points on both [m]."""
         arbiter, contact = self._arbiter, self._arbiter.contacts[0]
-        (a, _), (b, _) = self.places()
+        (a, _), (b, _) = self.poses()
         arbiter.n = normal.real, normal.imag
         contact.r1 = (one - a).real, (one - a).imag
         contact.r2 = (other - b).real, (other - b).imag
@@ -79,6 +79,6 @@ def _motion(body: object) -> tuple[complex, float]:
     return complex(velocity.x, velocity.y), lib.cpBodyGetAngularVelocity(body)
 
 
-def _place(body: object) -> tuple[complex, complex]:
-    place, turned = lib.cpBodyGetPosition(body), lib.cpBodyGetRotation(body)
-    return complex(place.x, place.y), complex(turned.x, turned.y)
+def _pose(body: object) -> tuple[complex, complex]:
+    position, rotation = lib.cpBodyGetPosition(body), lib.cpBodyGetRotation(body)
+    return complex(position.x, position.y), complex(rotation.x, rotation.y)

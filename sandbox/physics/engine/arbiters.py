@@ -63,7 +63,7 @@ class Pairs(NamedTuple):
     first: NDArray[np.bool_]
     touches: NDArray[np.intp]
     """See `Contacts`."""
-    alone: bool
+    is_unique: bool
     """Whether each two bodies have at most one pair, so that the order is unique."""
 
 
@@ -71,19 +71,24 @@ class Arbiters:
     """Reads the pairs in contact of a space.
 
     `ids`, (n,), are the ids of the bodies in ascending order, and `order` the indices of these
-    bodies. `pushes` tells whether pymunk's impulses count; else they only tell pairs of the same
-    bodies apart. `pairs` are those that were in contact at the last reading; None before.
+    bodies. `has_impulses` tells whether pymunk's impulses count; else they only tell pairs of the
+    same bodies apart. `pairs` are those that were in contact at the last reading; None before.
     """
 
     def __init__(
-        self, space: pymunk.Space, ids: NDArray[np.uintp], order: NDArray[np.intp], *, pushes: bool
+        self,
+        space: pymunk.Space,
+        ids: NDArray[np.uintp],
+        order: NDArray[np.intp],
+        *,
+        has_impulses: bool,
     ) -> None:
-        self._pushes = pushes
+        self._has_impulses = has_impulses
         self._table, self._ids, self._order = ArbiterTable(space, _FIELDS), ids, order
         self._raw = b"", b""
         self.pairs: Pairs | None = None
 
-    def changed(self) -> bool:
+    def has_changed(self) -> bool:
         """Read pymunk's records of contacts, and return whether they have changed."""
         before, self._raw = self._raw, self._table.read()
         return self._raw != before
@@ -93,7 +98,7 @@ class Arbiters:
         integer, floating = self._raw
         if self.pairs is None or integer != self.pairs.raw:
             self.pairs = self._read_pairs(integer)
-        _, rows, bodies, first, touches, alone = self.pairs
+        _, rows, bodies, first, touches, is_unique = self.pairs
         if not len(rows):
             return None
         floats = np.frombuffer(floating).reshape(-1, 12).take(rows, axis=0)
@@ -102,7 +107,7 @@ class Arbiters:
         overlap = one - other
         depth = overlap.real * direction[:, :1] + overlap.imag * direction[:, 1:]
         points = ((one + other) / 2).view(float).reshape(-1, 2, 2)
-        if alone and not self._pushes:
+        if is_unique and not self._has_impulses:
             (normal, friction), impulse = np.zeros((2, len(rows))), np.zeros((len(rows), 2))
         else:
             normal, friction, impulse = _split(impulse, direction)
@@ -115,9 +120,9 @@ class Arbiters:
         bodies = self._order[self._ids.searchsorted(integers[live, :2])]
         order = np.lexsort((bodies[:, 1], bodies[:, 0]))
         rows, bodies = live[order], bodies[order]
-        alone = bool((bodies[1:] != bodies[:-1]).any(axis=1).all())
+        is_unique = bool((bodies[1:] != bodies[:-1]).any(axis=1).all())
         first, touches = integers[rows, 2] > 0, integers[rows, 3].astype(np.intp)
-        return Pairs(integer, rows, bodies, first, touches, alone)
+        return Pairs(integer, rows, bodies, first, touches, is_unique)
 
 
 def _split(

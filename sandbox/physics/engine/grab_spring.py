@@ -23,10 +23,10 @@ class Hand:
 
     def grab(self, row: int, point: XY) -> None:
         """Take hold of a dynamic body at a point of the plane [m]."""
-        held = self._bodies[row]
+        body = self._bodies[row]
         self.release()
-        grip = pymunk.PivotJoint(self._space.static_body, held, point, held.world_to_local(point))
-        grip.max_force = STRENGTH * held.mass
+        grip = pymunk.PivotJoint(self._space.static_body, body, point, body.world_to_local(point))
+        grip.max_force = STRENGTH * body.mass
         grip.error_bias = 0.8**60
         self._space.add(grip)
         self._grip = grip
@@ -49,21 +49,27 @@ class Hand:
         is that before the kick [m/s, rad/s]; `inverse_mass`, (n, 3), has masses and
         moments [1/kg, 1/(kg m²)].
         """
-        pulls = np.zeros_like(velocity)
+        accelerations = np.zeros_like(velocity)
         if self._grip is None or self.hold is None:
-            return pulls
+            return accelerations
         row, (x, y) = self.hold
         vx, vy, spin = velocity[row]
-        inverse, turns = inverse_mass[row, 0], inverse_mass[row, 2]
+        inverse, inverse_moment = inverse_mass[row, 0], inverse_mass[row, 2]
         gap = self._grip.anchor_a - self._grip.b.position - (x, y)
         back = (1 - self._grip.error_bias**dt) / dt
-        wanted = np.array([gap.x * back - vx + spin * y, gap.y * back - vy - spin * x])
-        delassus = inverse * np.eye(2) + turns * np.array([[y * y, -x * y], [-x * y, x * x]])
-        impulse = np.linalg.solve(delassus, wanted)
+        closing_velocity = np.array([gap.x * back - vx + spin * y, gap.y * back - vy - spin * x])
+        delassus = inverse * np.eye(2) + inverse_moment * np.array(
+            [[y * y, -x * y], [-x * y, x * x]]
+        )
+        impulse = np.linalg.solve(delassus, closing_velocity)
         impulse *= min(1.0, self._grip.max_force * dt / max(float(np.hypot(*impulse)), TINY))
-        turned = x * impulse[1] - y * impulse[0]
-        pulls[row] = impulse[0] * inverse, impulse[1] * inverse, turned * turns
-        return pulls / dt
+        angular_impulse = x * impulse[1] - y * impulse[0]
+        accelerations[row] = (
+            impulse[0] * inverse,
+            impulse[1] * inverse,
+            angular_impulse * inverse_moment,
+        )
+        return accelerations / dt
 
     @property
     def hold(self) -> tuple[int, XY] | None:

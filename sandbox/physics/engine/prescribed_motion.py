@@ -31,7 +31,7 @@ class Motions:
         self.bodies = np.flatnonzero([body.motion is not None for body in bodies.values()])
         self._next = np.zeros((len(self.bodies), 3))
 
-    def look(self, t: float, length: float) -> Array:
+    def accelerations(self, t: float, length: float) -> Array:
         """Find the velocities of the drift after a step, and return the accelerations: (k, 3).
 
         `t` is the time of the step, and `length` the duration of the kick that sets the
@@ -45,7 +45,7 @@ class Motions:
         change: Array = self._next - self._batch.velocity()[self.bodies]
         return change / length
 
-    def lead(self) -> None:
+    def set_velocities(self) -> None:
         """Set these velocities."""
         velocity = self._batch.velocity()
         velocity[self.bodies] = self._next

@@ -51,11 +51,11 @@ class Contacts(NamedTuple):
     @property
     def depth(self) -> Array:
         """The larger overlap of each pair: (k,) [m]."""
-        most: Array = self.depths[:, 0]
+        first: Array = self.depths[:, 0]
         two = self.touches > 1
-        return np.where(two, np.maximum(most, self.depths[:, 1]), most) if two.any() else most
+        return np.where(two, np.maximum(first, self.depths[:, 1]), first) if two.any() else first
 
-    def and_(self, others: "Contacts") -> "Contacts":
+    def followed_by(self, others: "Contacts") -> "Contacts":
         """Return these contacts, followed by others."""
         if not len(self.bodies):
             return others
@@ -69,7 +69,7 @@ class Contacts(NamedTuple):
         overlap = self.direction * (self.depth / 2)[:, None]
         return points[:, None] + np.stack((overlap, -overlap), axis=1)
 
-    def times(self, factor: float) -> "Contacts":
+    def scaled(self, factor: float) -> "Contacts":
         """Return the contacts with their impulses multiplied by a factor."""
         return self._replace(
             normal=self.normal * factor,
@@ -87,7 +87,7 @@ class Contacts(NamedTuple):
         order = np.lexsort(keys)
         return Contacts._make(field[order] for field in self)
 
-    def after(self, count: int) -> "Contacts":
+    def without_first(self, count: int) -> "Contacts":
         """Return the contacts after the first `count`."""
         return Contacts._make(field[count:] for field in self) if count else self
 
@@ -122,17 +122,17 @@ class Batch:
         get_space_bodies(space, BodyFields.BODY_ID, buffer)
         ids = np.frombuffer(buffer.int_buf(), dtype=np.uintp).tolist()
         rows = {body_id: row for row, body_id in enumerate(ids)}
-        known = np.array([body.id for body in bodies], dtype=np.uintp)
-        self._order = np.argsort(known)
-        self._ids = known[self._order]
+        ids_given = np.array([body.id for body in bodies], dtype=np.uintp)
+        self._order = np.argsort(ids_given)
+        self._ids = ids_given[self._order]
         self._rows = np.array([rows[body.id] for body in bodies], dtype=np.intp)
-        self._places = in_place(self._rows)
+        self._slots = in_place(self._rows)
         self._state = Table(space, _STATE, len(ids), 6)
         self._velocity = Table(space, _VELOCITY, len(ids), 3)
         self._force = Table(space, _FORCE, len(ids), 3)
         self._arbiters: Arbiters | None = None
         self.solved_by_pymunk = True  # or its impulses at contacts mean nothing, and are 0 here
-        self._known = NO_CONTACTS
+        self._last_contacts = NO_CONTACTS
 
     def pair(self, a: int | None, b: int | None) -> Pair:
         """Return access to two bodies only; None is the plane itself."""
@@ -165,20 +165,20 @@ class Batch:
         self._write(self._force, force)
 
     def _write(self, table: Table, values: Array) -> None:
-        table.values[self._places] = values
+        table.values[self._slots] = values
         table.write()
 
     def contacts(self) -> Contacts:
         """Return the contacts, with the impulses of the last step; not to be written to."""
-        arbiters = self._arbiters = self._arbiters or self._look()
-        if arbiters.changed():  # there are several calls in a step
+        arbiters = self._arbiters = self._arbiters or self._make_arbiters()
+        if arbiters.has_changed():  # there are several calls in a step
             fields, pairs = arbiters.read(), arbiters.pairs
             found = Contacts._make(fields) if fields else NO_CONTACTS
-            self._known = found if pairs and pairs.alone else found.in_order()
-        return self._known
+            self._last_contacts = found if pairs and pairs.is_unique else found.in_order()
+        return self._last_contacts
 
-    def _look(self) -> "Arbiters":
+    def _make_arbiters(self) -> "Arbiters":
         """Return the reader of contacts, which is imported only when needed."""
         from sandbox.physics.engine.arbiters import Arbiters
 
-        return Arbiters(self._space, self._ids, self._order, pushes=self.solved_by_pymunk)
+        return Arbiters(self._space, self._ids, self._order, has_impulses=self.solved_by_pymunk)

@@ -23,7 +23,8 @@ class Hook:
 
     Set `kick`, which is passed to the work, take pymunk's step, and call `finish`. pymunk prints an
     exception from a callback and carries on, so `error` stores it until `finish` raises it. `count`
-    is the number of calls in a step, `seconds` their total time since `timed` was called [s].
+    is the number of calls in a step, `seconds` their total time since `start_timing` was called
+    [s].
     """
 
     def __init__(
@@ -60,11 +61,11 @@ class Hook:
             raise self.error
         self._call(self._after, self.kick)
 
-    def timed(self) -> None:
+    def start_timing(self) -> None:
         """Measure the time of the calls from now on, at a small cost."""
-        self._call = self._timing
+        self._call = self._timed_call
 
-    def _timing(self, work: Work, kick: Kick) -> None:
+    def _timed_call(self, work: Work, kick: Kick) -> None:
         start = perf_counter()
         self._run(work, kick)
         self.seconds += perf_counter() - start

@@ -40,7 +40,7 @@ def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
     """Return whether runs that measure quantities may share a batch, judging by the level."""
     still = all(body.type != "kinematic" for body in level.bodies.values())
     simple = stepping.scheme == "leapfrog" and set(level.effects.declared) <= _EFFECTS
-    calm = still and not level.happens
+    calm = still and not level.has_events
     return simple and calm and all(_known(quantity(name, level)) for name in names)
 
 
@@ -48,7 +48,7 @@ _EFFECTS = {"gravity", "rotation"}
 
 
 def _known(name: Quantity) -> bool:
-    return name.momentary and name.attribute not in _UNKNOWN
+    return name.is_momentary and name.attribute not in _UNKNOWN
 
 
 def accepts(world: World) -> bool:

@@ -22,7 +22,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from sandbox.model.events import breaking
+from sandbox.model.events import breaking_event
 from sandbox.model.expressions import Array
 from sandbox.physics.events.joint_impacts import Jolt
 from sandbox.physics.joints.exact.shake import ExactJoints
@@ -112,6 +112,6 @@ def _overloaded(scene: Scene, borne: Mapping[str, float], dt: float, found: Jolt
 
 def _break(scene: Scene, name: str, t: float) -> None:
     let_go(scene.joints, name, t)
-    scene.happened[breaking(name)] = t
+    scene.event_times[breaking_event(name)] = t
     if scene.direct:
         scene.direct.relay()

@@ -16,7 +16,7 @@ from typing import Self
 
 import numpy as np
 
-from sandbox.model.events import beside_bouncing, bouncing
+from sandbox.model.events import rebounding_stops, stops_without_rebound
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.translatable_message import Message
@@ -70,8 +70,8 @@ class Bounces:
     ) -> Self | None:
         """Return the bounces of a scene; None if it has no elastic stops."""
         sides = scene.joints.elastic
-        restitution = dict.fromkeys(beside_bouncing(level.joints, level.events), 0.0)
-        restitution |= {name: e(values) for name, e in bouncing(level.joints)}
+        restitution = dict.fromkeys(stops_without_rebound(level.joints, level.events), 0.0)
+        restitution |= {name: e(values) for name, e in rebounding_stops(level.joints)}
         return cls(scene, sides, restitution, borne, dt) if sides else None
 
     def _begin(self) -> None:

@@ -176,7 +176,7 @@ class ImpactLocator:
         for index, outline in enumerate(self._outlines):
             corners = [rect(1, state[outline.body, 2]) * corner for corner in outline.corners]
             if turns[outline.body]:
-                corners = [complex(sign, sign) * outline.reach for sign in (-1, 1)]
+                corners = [complex(sign, sign) * outline.extent for sign in (-1, 1)]
             x, y = [c.real for c in corners], [c.imag for c in corners]
             low[index], high[index] = (min(x), min(y)), (max(x), max(y))
             low[index] -= outline.radius

@@ -93,7 +93,7 @@ class ContinuationSolver:
             if goes is None or self.meets(contacts, place, velocity, length):
                 return None
             if (self.sense(there, contacts, after, adds) == goes)[goes != 0].all():
-                return ContactAccelerations(adds / length, contacts.times(1 / length), there, goes)
+                return ContactAccelerations(adds / length, contacts.scaled(1 / length), there, goes)
             length *= SHORTER
         return None
 

@@ -155,7 +155,7 @@ class SlipEndLocator:
             return acceleration
         if seen.weakened.any():
             return self._again(begun, came, acceleration, length)
-        forces = contacts.times(1 / length)
+        forces = contacts.scaled(1 / length)
         part = Phase(self._dt, seen.place, velocity, acceleration, forces)
         self._due = part, seen.slips, seen.sense
         return acceleration
@@ -175,7 +175,7 @@ class SlipEndLocator:
             velocity = begun + slipping * since
             over = -LATE * np.abs(slips.change(slipping)) * self._dt
             if (sense * slips.speed(velocity) >= over)[seen.weakened].all():
-                self.kicked = found.forces.times(length)
+                self.kicked = found.forces.scaled(length)
                 part = Phase(self._dt, seen.place, velocity, slipping, found.forces)
                 self._due = part, slips, sense
                 return slipping

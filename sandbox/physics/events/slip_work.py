@@ -151,7 +151,7 @@ def rubbed_beyond(
     for sign, parts in ((1, phases), (-1, halves)):
         for part in parts:
             mean = part.velocity + part.acceleration * (part.lasts / 2)
-            forces = part.forces.times(part.lasts)
+            forces = part.forces.scaled(part.lasts)
             work, drives = rubbing(forces, part.place[:, :2], mean, inertia, running)
             rubbed += sign * work
             works = {name: works[name] + sign * drives[name] for name in works}

@@ -40,14 +40,14 @@ class Accretion:
 
 
 def flows(
-    said: Sequence[declared.Accretion], values: Values, names: Sequence[str]
+    entries: Sequence[declared.Accretion], values: Values, names: Sequence[str]
 ) -> Iterator[Flow]:
     """Yield the flow of matter of each accretion, in order."""
-    for one in said:
+    for one in entries:
         yield Flow(names.index(one.body), one.rate(values), effect=one.effect.name)
 
 
-def laws(said: Sequence[declared.Accretion], given: LawInputs) -> Iterator[Law]:
+def laws(entries: Sequence[declared.Accretion], inputs: LawInputs) -> Iterator[Law]:
     """Yield the force of each accretion."""
-    for one, flow in zip(said, flows(said, given.values, given.names), strict=True):
-        yield Accretion(flow, evaluate(one.velocity, given.values), given.step)
+    for one, flow in zip(entries, flows(entries, inputs.values, inputs.names), strict=True):
+        yield Accretion(flow, evaluate(one.velocity, inputs.values), inputs.step)

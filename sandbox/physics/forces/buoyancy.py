@@ -112,14 +112,14 @@ class Buoyancy:
             yield row, outline.displaced(height, motion.angle[..., row])
 
 
-def laws(said: declared.Buoyancy, given: LawInputs) -> Iterator[Law]:
+def laws(effect: declared.Buoyancy, inputs: LawInputs) -> Iterator[Law]:
     """Yield the buoyancy."""
-    level, values = given.level, given.values
-    rows = given.rows(said.bodies).tolist()
-    every = ((row, level.bodies[given.names[row]]) for row in rows)
+    level, values = inputs.level, inputs.values
+    rows = inputs.rows(effect.bodies).tolist()
+    every = ((row, level.bodies[inputs.names[row]]) for row in rows)
     bodies = tuple((r, _outline(b, values)) for r, b in every if isinstance(b.shape, Area))
-    weight = said.density(values) * said.gravity(values)
-    yield Buoyancy(weight, said.surface(values), bodies)
+    weight = effect.density(values) * effect.gravity(values)
+    yield Buoyancy(weight, effect.surface(values), bodies)
 
 
 def _outline(body: Body, values: Values) -> DiscOutline | PolygonOutline:

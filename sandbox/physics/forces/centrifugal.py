@@ -10,7 +10,7 @@ from sandbox.model.effects import centrifugal as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
 from sandbox.physics.forces.law import Law, LawInputs
-from sandbox.physics.forces.variable_mass import Share, steady
+from sandbox.physics.forces.variable_mass import MassFraction, constant_mass
 from sandbox.physics.state.motion import Motion
 
 
@@ -27,20 +27,20 @@ class Centrifugal:
     rate: float  # rad/s, ω
     axis: float  # m, x0
     mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
-    share: Share = steady
+    mass_fraction: MassFraction = constant_mass
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add m ω² (x − x0)."""
-        mass = self.mass * self.share(motion.t)
+        mass = self.mass * self.mass_fraction(motion.t)
         wrench[..., 0] += mass * self.rate**2 * (motion.position[..., 0] - self.axis)
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return −m ω² (x − x0)² / 2."""
-        mass = self.mass * self.share(motion.t)
+        mass = self.mass * self.mass_fraction(motion.t)
         return np.asarray(-mass * self.rate**2 * (motion.position[..., 0] - self.axis) ** 2 / 2)
 
 
-def laws(said: declared.Centrifugal, given: LawInputs) -> Iterator[Law]:
+def laws(effect: declared.Centrifugal, inputs: LawInputs) -> Iterator[Law]:
     """Yield the centrifugal force."""
-    rate, axis = said.rate(given.values), said.axis(given.values)
-    yield Centrifugal(rate, axis, given.mass, given.share)
+    rate, axis = effect.rate(inputs.values), effect.axis(inputs.values)
+    yield Centrifugal(rate, axis, inputs.mass, inputs.mass_fraction)

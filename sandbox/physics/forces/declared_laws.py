@@ -16,62 +16,66 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import evaluate
 from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
-from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
+from sandbox.physics.forces.variable_mass import Flow, MassFlows, MassFraction, constant_mass
 
 _ROOM = __name__.rpartition(".")[0]
 
 
-def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Gravity | None:
+def gravity(
+    effects: Effects, values: Values, mass: Array, mass_fraction: MassFraction
+) -> Gravity | None:
     """Return the level's uniform gravity, if it declares any."""
     if effects.gravity is None:
         return None
-    return Gravity(evaluate(effects.gravity.acceleration, values), mass, share)
+    return Gravity(evaluate(effects.gravity.acceleration, values), mass, mass_fraction)
 
 
 def laws(
-    effects: Effects, given: LawInputs
+    effects: Effects, inputs: LawInputs
 ) -> tuple[tuple[Law, ...], tuple[VelocityRotation, ...]]:
     """Return the laws that pymunk does not apply by itself: forces, and rotations of velocities.
 
     Raises `IncompleteError` if the law of an effect contradicts its declaration.
     """
     forces: list[Law] = []
-    turns: list[VelocityRotation] = []
+    rotations: list[VelocityRotation] = []
     for effect in effects.declarations:
         if not effect.is_law:
             continue
-        for law in _laws_of(effect, getattr(effects, effect.name), given):
+        for law in _laws_of(effect, getattr(effects, effect.name), inputs):
             _require(effect, law)
-            (turns if effect.turns else forces).append(law)
-    return tuple(forces), tuple(turns)
+            (rotations if effect.rotates_velocity else forces).append(law)
+    return tuple(forces), tuple(rotations)
 
 
-def _laws_of(effect: Effect, said: Any, given: LawInputs) -> Iterable[Any]:  # noqa: ANN401
+def _laws_of(effect: Effect, settings: Any, inputs: LawInputs) -> Iterable[Any]:  # noqa: ANN401
     make = part_of(effect, "laws")
-    if not given.switches:
-        return make(said, given)
+    if not inputs.switches:
+        return make(settings, inputs)
     from sandbox.physics.forces.switched_laws import switched_laws
 
-    return switched_laws(make, said, effect.name, given)
+    return switched_laws(make, settings, effect.name, inputs)
 
 
-def one_by_one(effects: Effects, given: LawInputs) -> Iterator[tuple[Model, Law]]:
+def laws_by_entry(effects: Effects, inputs: LawInputs) -> Iterator[tuple[Model, Law]]:
     """Yield each force with its settings; if these are a list, one law for each entry."""
     for effect in effects.declarations:
-        if effect.is_law and not effect.turns:
-            said = getattr(effects, effect.name)
-            for entry in said if isinstance(said, tuple) else (said,):
-                part = (entry,) if isinstance(said, tuple) else entry
-                yield from ((entry, law) for law in _laws_of(effect, part, given))
+        if effect.is_law and not effect.rotates_velocity:
+            settings = getattr(effects, effect.name)
+            for entry in settings if isinstance(settings, tuple) else (settings,):
+                part = (entry,) if isinstance(settings, tuple) else entry
+                yield from ((entry, law) for law in _laws_of(effect, part, inputs))
 
 
-def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
-    """Return the masses of a level's bodies as a function of time; `steady` without flows."""
-    found: list[Flow] = []
+def mass_fraction_of(
+    effects: Effects, values: Values, names: Sequence[str], mass: Array
+) -> MassFraction:
+    """Return the mass fractions of bodies over time; `constant_mass` if no matter flows."""
+    flows: list[Flow] = []
     for effect in effects.declarations:
         if effect.changes_mass:
-            found += part_of(effect, "flows")(getattr(effects, effect.name), values, names)
-    return MassFlows(found, mass) if found else steady
+            flows += part_of(effect, "flows")(getattr(effects, effect.name), values, names)
+    return MassFlows(flows, mass) if flows else constant_mass
 
 
 def any_law(level: Level) -> bool:
@@ -98,9 +102,11 @@ def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
 
 def _require(effect: Effect, law: Law | VelocityRotation) -> None:
     """Refuse a law that contradicts its effect's declaration."""
-    needed = ("rate",) if effect.turns else ("add", "potential_energy")
-    if lacking := [name for name in needed if not hasattr(law, name)]:
-        kind = "does no work, so it is a VelocityRotation" if effect.turns else "is a Law"
+    required = ("rate",) if effect.rotates_velocity else ("add", "potential_energy")
+    if lacking := [name for name in required if not hasattr(law, name)]:
+        kind = (
+            "does no work, so it is a VelocityRotation" if effect.rotates_velocity else "is a Law"
+        )
         which = f"its law {kind}, but {type(law).__name__} in {_file(effect)}"
         raise IncompleteError(_message(effect, f"{which} has no '{lacking[0]}'"))
     if law.effect.name != effect.name:

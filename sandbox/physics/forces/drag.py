@@ -35,7 +35,7 @@ class Drag:
         return np.zeros(motion.position.shape[:-1])
 
 
-def laws(said: declared.Drag, given: LawInputs) -> Iterator[Law]:
+def laws(effect: declared.Drag, inputs: LawInputs) -> Iterator[Law]:
     """Yield the drag."""
-    rows = in_place(given.rows(said.bodies))
-    yield Drag(said.linear(given.values), said.quadratic(given.values), rows)
+    rows = in_place(inputs.rows(effect.bodies))
+    yield Drag(effect.linear(inputs.values), effect.quadratic(inputs.values), rows)

@@ -11,7 +11,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.number_bounds import ForceInField
 from sandbox.physics.engine.space_arrays import Integers, in_place
 from sandbox.physics.forces.law import Law, LawInputs
-from sandbox.physics.forces.variable_mass import Share
+from sandbox.physics.forces.variable_mass import MassFraction
 from sandbox.physics.state.motion import Motion
 
 SIGHTS: Mapping[str, Sight] = {
@@ -30,19 +30,19 @@ class Weight:
 
     bodies: slice | Integers
     mass: Array | None  # (n,) kg at the start; None for equal weights
-    share: Share
+    mass_fraction: MassFraction
 
     @classmethod
-    def of(cls, bodies: Sequence[str] | None, per: str, given: LawInputs) -> "Weight":
+    def of(cls, bodies: Sequence[str] | None, per: str, inputs: LawInputs) -> "Weight":
         """Return the weights of the named bodies, or of all dynamic bodies if none are named."""
-        rows = in_place(given.rows(bodies))
-        return cls(rows, given.mass if per == "mass" else None, given.share)
+        rows = in_place(inputs.rows(bodies))
+        return cls(rows, inputs.mass if per == "mass" else None, inputs.mass_fraction)
 
     def at(self, t: Array) -> Array | float:
         """Return the factors of the field at a time: (..., k)."""
         if self.mass is None:
             return 1.0
-        return np.asarray((self.mass * self.share(t))[..., self.bodies])
+        return np.asarray((self.mass * self.mass_fraction(t))[..., self.bodies])
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,9 +73,11 @@ class Field:
         return np.zeros(motion.position.shape[:-1])
 
 
-def laws(said: Sequence[declared.Field], given: LawInputs) -> Iterator[Law]:
+def laws(entries: Sequence[declared.Field], inputs: LawInputs) -> Iterator[Law]:
     """Yield each field, declared to depend only on what its formulas contain."""
-    for one in said:
+    for one in entries:
         used = {SIGHTS[name] for f in one.force for name in f.names & SIGHTS.keys()}
-        effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))
-        yield Field(effect, one.force, given.values, Weight.of(one.bodies, one.per, given))
+        effect = replace(
+            one.effect, depends_on=tuple(s for s in one.effect.depends_on if s in used)
+        )
+        yield Field(effect, one.force, inputs.values, Weight.of(one.bodies, one.per, inputs))

@@ -118,15 +118,15 @@ class Push:
         return c * x - s * y, s * x + c * y
 
 
-def laws(said: Sequence[declared.Force], given: LawInputs) -> Iterator[Law]:
+def laws(entries: Sequence[declared.Force], inputs: LawInputs) -> Iterator[Law]:
     """Yield each force that changes or turns, and all others together."""
     steady: list[tuple[int, XY, XY]] = []
-    for force in said:
-        point, body = evaluate(force.at, given.values), given.row(force.body)
+    for force in entries:
+        point, body = evaluate(force.at, inputs.values), inputs.row(force.body)
         if force.has_no_potential:
-            yield Push(force.force, given.values, body, point, force.frame == "body")
+            yield Push(force.force, inputs.values, body, point, force.frame == "body")
         else:
-            x, y = (component(given.values) for component in force.force)
+            x, y = (component(inputs.values) for component in force.force)
             steady.append((body, point, (x, y)))
     if steady:
         yield Steady.of(steady)

@@ -11,7 +11,7 @@ from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Integers, in_place
 from sandbox.physics.forces.law import Law, LawInputs
-from sandbox.physics.forces.variable_mass import Share, steady
+from sandbox.physics.forces.variable_mass import MassFraction, constant_mass
 from sandbox.physics.state.motion import Motion
 
 AT_ONCE = 15_000
@@ -54,7 +54,7 @@ class Gravitation:
     bodies: Integers  # (k,)
     mass: Array  # (n,) kg at the start
     softening: float = 0.0  # m, ε
-    share: Share = steady
+    mass_fraction: MassFraction = constant_mass
     _rows: slice | Integers = field(init=False)  # of the bodies
 
     def __post_init__(self) -> None:
@@ -101,10 +101,12 @@ class Gravitation:
 
     def _mass(self, motion: Motion) -> Array:
         """Return the masses of the bodies at the times of a motion: (..., k, 1) [kg]."""
-        return (self.mass * self.share(motion.t))[..., self._rows, None]
+        return (self.mass * self.mass_fraction(motion.t))[..., self._rows, None]
 
 
-def laws(said: declared.Gravitation, given: LawInputs) -> Iterator[Law]:
+def laws(effect: declared.Gravitation, inputs: LawInputs) -> Iterator[Law]:
     """Yield the gravitation between the bodies."""
-    constant, softening = said.constant(given.values), said.softening(given.values)
-    yield Gravitation(constant, given.rows(said.bodies), given.mass, softening, given.share)
+    constant, softening = effect.constant(inputs.values), effect.softening(inputs.values)
+    yield Gravitation(
+        constant, inputs.rows(effect.bodies), inputs.mass, softening, inputs.mass_fraction
+    )

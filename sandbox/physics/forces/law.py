@@ -2,7 +2,7 @@
 
 The law of an effect is in the module of the effect's name in this folder, with a function
 
-    def laws(said: Drag, given: LawInputs) -> Iterator[Law]: ...
+    def laws(effect: Drag, inputs: LawInputs) -> Iterator[Law]: ...
 
 which makes it from the level's settings of the effect: a `Law`, or a `VelocityRotation` if the
 effect does no work. The effect is declared in `sandbox.model.effects`; a law refers to that
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
-from sandbox.physics.forces.variable_mass import Share
+from sandbox.physics.forces.variable_mass import MassFraction
 from sandbox.physics.state.motion import Motion
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ class LawInputs(NamedTuple):
     mass: Array
     """(n,), the names of its bodies, and their masses at the start, 0 if nothing moves them [kg].
     """
-    share: Share
+    mass_fraction: MassFraction
     """The masses over those at the start, as a function of time."""
     step: float
     """The duration of a kick [s]."""

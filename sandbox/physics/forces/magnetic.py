@@ -10,7 +10,7 @@ from sandbox.model.effects import magnetic as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
 from sandbox.physics.forces.law import LawInputs, VelocityRotation
-from sandbox.physics.forces.variable_mass import Share, steady
+from sandbox.physics.forces.variable_mass import MassFraction, constant_mass
 from sandbox.physics.state.motion import Motion
 
 
@@ -20,18 +20,20 @@ class Magnetic:
 
     effect: ClassVar[Effect] = declared.Magnetic.effect
 
-    turning: Array  # (n,) rad/s with the masses at the start, 0 for bodies without a charge
-    share: Share = steady
+    rates: Array  # (n,) rad/s with the masses at the start, 0 for bodies without a charge
+    mass_fraction: MassFraction = constant_mass
 
     def rate(self, motion: Motion) -> Array:
         """Return −q B / m."""
-        return np.broadcast_to(self.turning / self.share(motion.t), motion.velocity.shape[:-1])
+        return np.broadcast_to(
+            self.rates / self.mass_fraction(motion.t), motion.velocity.shape[:-1]
+        )
 
 
-def laws(said: declared.Magnetic, given: LawInputs) -> Iterator[VelocityRotation]:
+def laws(effect: declared.Magnetic, inputs: LawInputs) -> Iterator[VelocityRotation]:
     """Yield the field."""
-    field, turning = said.field(given.values), np.zeros(len(given.names))
-    for charged in said.charges:
-        row = given.row(charged.body)
-        turning[row] -= charged.charge(given.values) * field / given.mass[row]
-    yield Magnetic(turning, given.share)
+    field, rates = effect.field(inputs.values), np.zeros(len(inputs.names))
+    for charged in effect.charges:
+        row = inputs.row(charged.body)
+        rates[row] -= charged.charge(inputs.values) * field / inputs.mass[row]
+    yield Magnetic(rates, inputs.mass_fraction)

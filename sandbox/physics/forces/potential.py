@@ -49,7 +49,7 @@ class Potential:
         return {"x": place[..., 0], "y": place[..., 1]}
 
 
-def laws(said: Sequence[declared.Potential], given: LawInputs) -> Iterator[Law]:
+def laws(entries: Sequence[declared.Potential], inputs: LawInputs) -> Iterator[Law]:
     """Yield each potential."""
-    for one in said:
-        yield Potential(one.energy, given.values, Weight.of(one.bodies, one.per, given))
+    for one in entries:
+        yield Potential(one.energy, inputs.values, Weight.of(one.bodies, one.per, inputs))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 NODES = 40
 """The number of points at which a force law is evaluated to integrate its potential energy."""
 
-DAMPED = replace(ELASTIC, sees=(*ELASTIC.sees, "velocity"))
+DAMPED = replace(ELASTIC, depends_on=(*ELASTIC.depends_on, "velocity"))
 """The declaration of the force of a spring with a damper."""
 
 
@@ -45,14 +45,14 @@ class Law:
     def energy(self, x: Array) -> Array:
         """Return ∫ f dx from 0 to x [J] by Gauss's rule, exact to rounding if f is smooth."""
         nodes, weights = _gauss()
-        there = x[..., None] * (nodes + 1) / 2
-        forces = np.broadcast_to(self.force(there), there.shape)
+        points = x[..., None] * (nodes + 1) / 2
+        forces = np.broadcast_to(self.force(points), points.shape)
         return np.asarray(x / 2 * (forces @ weights))
 
     def slope(self, x: float) -> float:
         """Return the largest slope of f, in size, from −|x| to |x| [N/m]."""
-        reach = np.linspace(-abs(x), abs(x), 2 * NODES + 1)
-        slopes = self.formula.slope("x").at(self.values, {"x": reach})
+        stretches = np.linspace(-abs(x), abs(x), 2 * NODES + 1)
+        slopes = self.formula.slope("x").at(self.values, {"x": stretches})
         return float(np.max(np.abs(slopes)))
 
 
@@ -85,17 +85,17 @@ class SpringForce:
         return self.law is None and self.switch is None
 
     @property
-    def steepness(self) -> float:
+    def largest_stiffness(self) -> float:
         """The largest derivative of the force by the stretch [N/m]."""
         return self.stiffness + self.slope
 
     def tension(self, motion: Motion) -> Array:
         """Return the force by which it pulls [N]; negative where it pushes."""
-        return self._pull(motion)[0]
+        return self._tension(motion)[0]
 
-    def stored(self, motion: Motion) -> Array:
+    def energy(self, motion: Motion) -> Array:
         """Return k x² / 2 + ∫ f dx [J]."""
-        (a, _), (b, _) = (end.find(motion) for end in self.ends)
+        (a, _), (b, _) = (end.position_and_arm(motion) for end in self.ends)
         stretch = self._stretch(np.abs(b - a))
         energy = self.stiffness * stretch**2 / 2
         energy = np.asarray(energy + self.law.energy(stretch) if self.law else energy)
@@ -103,17 +103,17 @@ class SpringForce:
 
     def span(self, motion: Motion) -> tuple[Plane, Plane]:
         """Return its two ends [m]; a spring that only pushes is drawn at most l0 long."""
-        (a, _), (b, _) = (end.find(motion) for end in self.ends)
+        (a, _), (b, _) = (end.position_and_arm(motion) for end in self.ends)
         longest = self.length if self.pushes_only else np.inf
         length = np.maximum(np.abs(b - a), 1e-300)
         return a, a + (b - a) * np.minimum(1.0, longest / length)
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add the forces on both ends, and their torques."""
-        pull, direction, arms = self._pull(motion)
+        tension, direction, arms = self._tension(motion)
         forces = wrench[..., :2].view(complex)[..., 0]
         for end, arm, force in zip(
-            self.ends, arms, (pull * direction, -pull * direction), strict=True
+            self.ends, arms, (tension * direction, -tension * direction), strict=True
         ):
             if end.body is not None:
                 forces[..., end.body] += force
@@ -123,32 +123,34 @@ class SpringForce:
     def potential_energy(self, motion: Motion) -> Array:
         """Return k x² / 2 + ∫ f dx, in equal parts for the bodies at its ends."""
         bodies = [end.body for end in self.ends if end.body is not None]
-        stored = self.stored(motion)
+        total = self.energy(motion)
         energy = np.zeros(motion.position.shape[:-1])
         for body in bodies:
-            energy[..., body] += stored / len(bodies)
+            energy[..., body] += total / len(bodies)
         return energy
 
-    def _pull(self, motion: Motion) -> tuple[Array, Plane, tuple[Plane, Plane]]:
+    def _tension(self, motion: Motion) -> tuple[Array, Plane, tuple[Plane, Plane]]:
         """Return the tension, the direction from the first end to the second, and the arms."""
         if self.damping:
-            (a, moves_a, arm_a), (b, moves_b, arm_b) = (end.look(motion) for end in self.ends)
+            (a, velocity_a, arm_a), (b, velocity_b, arm_b) = (
+                end.kinematics(motion) for end in self.ends
+            )
         else:  # the velocities do not matter
-            (a, arm_a), (b, arm_b) = (end.find(motion) for end in self.ends)
+            (a, arm_a), (b, arm_b) = (end.position_and_arm(motion) for end in self.ends)
         span = b - a
         length = np.abs(span)
         direction = span / np.maximum(length, 1e-300)  # 0 where the ends meet
         stretch = self._stretch(length)
-        pull = self.stiffness * stretch
+        tension = self.stiffness * stretch
         if self.law:
-            pull = pull + self.law.force(stretch)
+            tension = tension + self.law.force(stretch)
         if self.damping:
-            pull = pull + self.damping * ((moves_b - moves_a) * direction.conj()).real
+            tension = tension + self.damping * ((velocity_b - velocity_a) * direction.conj()).real
         if self.pushes_only:
-            pull = np.where(stretch < 0, np.minimum(pull, 0.0), 0.0)
+            tension = np.where(stretch < 0, np.minimum(tension, 0.0), 0.0)
         if self.switch:
-            pull = pull * self.switch.at(motion.t)
-        return pull, direction, (arm_a, arm_b)
+            tension = tension * self.switch.at(motion.t)
+        return tension, direction, (arm_a, arm_b)
 
     def _stretch(self, length: Array) -> Array:
         """Return the stretch x = l − l0, at most 0 if it only pushes [m]."""
@@ -168,14 +170,16 @@ class SpringRows:
             np.array([getattr(spring, name) for spring in springs])
             for name in ("stiffness", "length")
         )
-        self._most = np.array([0.0 if spring.pushes_only else np.inf for spring in springs])
+        self._largest_stretch = np.array(
+            [0.0 if spring.pushes_only else np.inf for spring in springs]
+        )
 
-    def stored(self, motion: Motion) -> float:
+    def energy(self, motion: Motion) -> float:
         """Return their total energy [J] in a motion of n bodies without leading axes."""
-        place = np.append(motion.position @ (1, 1j), 0)
-        turn = np.append(np.exp(1j * motion.angle), 1)
-        first, second = place[self._rows] + self._points * turn[self._rows]
-        stretch = np.minimum(np.abs(second - first) - self._length, self._most)
+        position = np.append(motion.position @ (1, 1j), 0)
+        rotation = np.append(np.exp(1j * motion.angle), 1)
+        first, second = position[self._rows] + self._points * rotation[self._rows]
+        stretch = np.minimum(np.abs(second - first) - self._length, self._largest_stretch)
         return float(self._stiffness @ stretch**2) / 2
 
 

@@ -29,9 +29,9 @@ class SwitchedLaw:
         """Add the force and torque of the law while it is on."""
         acts = self.switch.at(motion.t)
         if acts.any():
-            given = np.zeros_like(wrench)
-            self.law.add(motion, given)
-            wrench += given * acts[..., None, None]
+            inputs = np.zeros_like(wrench)
+            self.law.add(motion, inputs)
+            wrench += inputs * acts[..., None, None]
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return the potential energy of the law, 0 while it is off."""
@@ -57,30 +57,30 @@ class SwitchedRotation:
 
 def switched_laws(
     make: Callable[..., Iterable[Law | VelocityRotation]],
-    said: Any,  # noqa: ANN401 (whatever an effect says)
+    settings: Any,  # noqa: ANN401 (whatever an effect says)
     name: str,
-    given: LawInputs,
+    inputs: LawInputs,
 ) -> Iterator[Law | VelocityRotation]:
     """Yield the laws of an effect, with switches for those that events turn on and off."""
-    for part, switch in _parts(said, name, given.switches):
-        for law in make(part, given):
+    for part, switch in _parts(settings, name, inputs.switches):
+        for law in make(part, inputs):
             yield _switched(law, switch) if switch else law
 
 
-def _parts(said: Any, name: str, switches: Switches) -> Iterator[tuple[Any, Switch | None]]:  # noqa: ANN401
+def _parts(settings: Any, name: str, switches: Switches) -> Iterator[tuple[Any, Switch | None]]:  # noqa: ANN401
     """Yield the settings of an effect, split if entries have switches of their own."""
     whole = switches.get(name)
-    if not isinstance(said, tuple):
-        yield said, whole
+    if not isinstance(settings, tuple):
+        yield settings, whole
         return
-    own = [one for one in said if getattr(one, "name", None) in switches]
-    if rest := tuple(one for one in said if one not in own):
+    own = [one for one in settings if getattr(one, "name", None) in switches]
+    if rest := tuple(one for one in settings if one not in own):
         yield rest, whole
     for one in own:
         yield (one,), switches[one.name]
 
 
 def _switched(law: Law | VelocityRotation, switch: Switch) -> Law | VelocityRotation:
-    if law.effect.turns:
+    if law.effect.rotates_velocity:
         return SwitchedRotation(cast("VelocityRotation", law), switch)
     return SwitchedLaw(cast("Law", law), switch)

@@ -42,14 +42,16 @@ class Thrust:
         return np.zeros(motion.position.shape[:-1])
 
 
-def flows(said: Sequence[declared.Thrust], values: Values, names: Sequence[str]) -> Iterator[Flow]:
+def flows(
+    entries: Sequence[declared.Thrust], values: Values, names: Sequence[str]
+) -> Iterator[Flow]:
     """Yield the flow of propellant of each rocket, in order."""
-    for thrust in said:
+    for thrust in entries:
         rate, propellant = thrust.rate(values), thrust.propellant(values)
         yield Flow(names.index(thrust.body), -rate, propellant / rate, thrust.effect.name)
 
 
-def laws(said: Sequence[declared.Thrust], given: LawInputs) -> Iterator[Law]:
+def laws(entries: Sequence[declared.Thrust], inputs: LawInputs) -> Iterator[Law]:
     """Yield the thrust of each rocket."""
-    for thrust, flow in zip(said, flows(said, given.values, given.names), strict=True):
-        yield Thrust(flow, evaluate(thrust.exhaust, given.values), given.step)
+    for thrust, flow in zip(entries, flows(entries, inputs.values, inputs.names), strict=True):
+        yield Thrust(flow, evaluate(thrust.exhaust, inputs.values), inputs.step)

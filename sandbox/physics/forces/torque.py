@@ -24,9 +24,9 @@ class TorquePair:
     against: int | None
 
     @classmethod
-    def of(cls, body: str, against: str | None, given: LawInputs) -> "TorquePair":
+    def of(cls, body: str, against: str | None, inputs: LawInputs) -> "TorquePair":
         """Return the bodies that a level names."""
-        return cls(given.row(body), None if against is None else given.row(against))
+        return cls(inputs.row(body), None if against is None else inputs.row(against))
 
     def between(self, values: Array) -> Array:
         """Return the relative angle of the two bodies, or its rate, from the values of all."""
@@ -63,10 +63,12 @@ class Torque:
         return np.zeros(motion.position.shape[:-1])
 
 
-def laws(said: Sequence[declared.Torque], given: LawInputs) -> Iterator[Law]:
+def laws(entries: Sequence[declared.Torque], inputs: LawInputs) -> Iterator[Law]:
     """Yield each torque, declared to depend only on what its formula contains."""
-    for one in said:
+    for one in entries:
         used = {SIGHTS[name] for name in one.torque.names & SIGHTS.keys()}
-        effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))
-        turned = TorquePair.of(one.body, one.against, given)
-        yield Torque(effect, one.torque, given.values, turned)
+        effect = replace(
+            one.effect, depends_on=tuple(s for s in one.effect.depends_on if s in used)
+        )
+        turned = TorquePair.of(one.body, one.against, inputs)
+        yield Torque(effect, one.torque, inputs.values, turned)

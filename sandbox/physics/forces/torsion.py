@@ -38,8 +38,8 @@ class Torsion:
         return self.on.between(motion.angle) - self.angle
 
 
-def laws(said: Sequence[declared.Torsion], given: LawInputs) -> Iterator[Law]:
+def laws(entries: Sequence[declared.Torsion], inputs: LawInputs) -> Iterator[Law]:
     """Yield each torsion spring."""
-    for one in said:
-        turned = TorquePair.of(one.body, one.against, given)
-        yield Torsion(one.stiffness(given.values), one.angle(given.values), turned)
+    for one in entries:
+        turned = TorquePair.of(one.body, one.against, inputs)
+        yield Torsion(one.stiffness(inputs.values), one.angle(inputs.values), turned)

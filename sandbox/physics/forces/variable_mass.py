@@ -9,12 +9,12 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Integers
 
-Share = Callable[[Array], Array | float]
+MassFraction = Callable[[Array], Array | float]
 """The masses of n bodies at times (...), over those at the start: (..., n), or 1 if constant.
 Moments of inertia change in proportion: matter is lost or gained evenly over the body."""
 
 
-def steady(_t: Array) -> float:
+def constant_mass(_t: Array) -> float:
     """Return 1: all masses are constant."""
     return 1.0
 
@@ -39,7 +39,7 @@ class Flow:
 
 @dataclass(frozen=True, slots=True)
 class MassFlows:
-    """All flows of a scene, as the masses of its n bodies over time; see `Share`."""
+    """All flows of a scene, as the masses of its n bodies over time; see `MassFraction`."""
 
     flows: Sequence[Flow]
     mass: Array  # (n,) kg, at the start
@@ -51,16 +51,16 @@ class MassFlows:
 
     def __call__(self, t: Array) -> Array:
         """Return the masses over those at the start: (..., n)."""
-        share = np.ones((*np.shape(t), len(self.mass)))
+        fraction = np.ones((*np.shape(t), len(self.mass)))
         for flow in self.flows:
-            share[..., flow.body] += flow.gained(t) / self.mass[flow.body]
-        return share
+            fraction[..., flow.body] += flow.gained(t) / self.mass[flow.body]
+        return fraction
 
     def carriers(self) -> dict[str, list[int]]:
         """Return the bodies that lose or gain matter, by effect."""
-        found: dict[str, list[int]] = {}
+        bodies_by_effect: dict[str, list[int]] = {}
         for flow in self.flows:
-            bodies = found.setdefault(flow.effect, [])
+            bodies = bodies_by_effect.setdefault(flow.effect, [])
             if flow.body not in bodies:
                 bodies.append(flow.body)
-        return found
+        return bodies_by_effect

@@ -23,21 +23,21 @@ from sandbox.physics.forces.law import VelocityRotation
 from sandbox.physics.state.motion import Motion
 
 
-def rates(turns: Sequence[VelocityRotation], motion: Motion) -> Array:
+def rotation_rates(turns: Sequence[VelocityRotation], motion: Motion) -> Array:
     """Return the total rate at which the velocity of each body turns: (n,) [rad/s]."""
     return np.asarray(sum(turn.rate(motion) for turn in turns))
 
 
-def turning_acceleration(rate: Array, velocity: Array, pulled: Array, length: float) -> Array:
+def turning_acceleration(rate: Array, velocity: Array, others: Array, length: float) -> Array:
     """Return the mean acceleration by the rotation in a kick: (n, 2) [m/s²].
 
     The rates of rotation are (n,) [rad/s], the velocities those before the kick, (n, 2) [m/s];
-    `pulled` are the accelerations by all other forces, (n, 2) [m/s²], and `length` is the duration
+    `others` are the accelerations by all other forces, (n, 2) [m/s²], and `length` is the duration
     of the kick [s].
     """
-    middle, half = velocity + pulled * (length / 2), rate * (length / 2)
+    middle, half = velocity + others * (length / 2), rate * (length / 2)
     s, c = np.sin(half)[:, None], np.cos(half)[:, None]
-    return np.asarray(2 * s * (c * _across(middle) - s * middle) / length)  # (R − 1) v / h
+    return np.asarray(2 * s * (c * _quarter_turn(middle) - s * middle) / length)  # (R − 1) v / h
 
 
 def at_the_step(rate: Array, mean: Array, length: float) -> Array:
@@ -45,11 +45,11 @@ def at_the_step(rate: Array, mean: Array, length: float) -> Array:
     return np.asarray(mean / np.cos(rate * (length / 2))[:, None])
 
 
-def given(rate: Array, mean: Array, length: float) -> Array:
+def rotation_change(rate: Array, mean: Array, length: float) -> Array:
     """Return the change of velocities (n, 2) by the rotation in a kick, from their means."""
-    return np.asarray(2 * np.tan(rate * (length / 2))[:, None] * _across(mean))
+    return np.asarray(2 * np.tan(rate * (length / 2))[:, None] * _quarter_turn(mean))
 
 
-def _across(velocity: Array) -> Array:
+def _quarter_turn(velocity: Array) -> Array:
     """Return velocities (n, 2) rotated by a quarter turn counter-clockwise."""
     return np.column_stack((-velocity[:, 1], velocity[:, 0]))

@@ -50,9 +50,9 @@ class Arc:
     cosine: float
     """The cosine of half the angle that it spans; below −1 for a whole circle."""
 
-    def spans(self, way: complex, turned: complex) -> bool:
+    def spans(self, offset: complex, turned: complex) -> bool:
         """Return whether a vector from the centre points at the arc, with the body turned."""
-        return dot(way, self.middle * turned) >= self.cosine * abs(way)
+        return dot(offset, self.middle * turned) >= self.cosine * abs(offset)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,9 +67,9 @@ class Piece:
     """The thickness around the core [m]."""
     arc: Arc | None = None
     """The arc of which it is a side or an end; None for other shapes."""
-    away: complex = 0j
+    outward: complex = 0j
     """The outward direction of an arc's end; 0 for other shapes."""
-    goes_on: complex = 0j
+    continuation: complex = 0j
     """The direction of another line that continues from an arc's end; 0 if there is none."""
     corner: complex | None = None
     """The corner or end [m] of a feeler, a shape that only touches arcs from inside; None for other
@@ -103,9 +103,9 @@ class Touch(NamedTuple):
 class RelativeVelocity(NamedTuple):
     """The velocities of a body relative to an arc that it touches."""
 
-    comes: float
+    approach: float
     """The velocity of approach [m/s]."""
-    leaves: float
+    separation: float
     """The velocity of separation needed to keep the overlap through the next drift; negative if the
     body may still come closer [m/s]."""
     along: float
@@ -116,18 +116,18 @@ Verdict = Touch | bool
 """A contact of two shapes: the touch; True for the one of pymunk; False for none."""
 
 
-def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
+def verdict(one: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Verdict:
     """Return the contact of two shapes, placed there, that overlap according to pymunk."""
     if _is_side(one) and _is_side(other):
-        return _sides(one, other, at, there)
+        return _sides(one, other, pose, other_pose)
     if _is_side(one):
-        return _at_side(one, other, at, there)
+        return _at_side(one, other, pose, other_pose)
     if _is_side(other):
-        return _at_side(other, one, there, at)
-    return _at_end(one, other, at, there) and _at_end(other, one, there, at)
+        return _at_side(other, one, other_pose, pose)
+    return _at_end(one, other, pose, other_pose) and _at_end(other, one, other_pose, pose)
 
 
-def way_along(
+def relative_velocity(
     found: Touch,
     places: tuple[Placed, Placed],
     motions: tuple[Motion, Motion],
@@ -144,12 +144,12 @@ def way_along(
     `places` and `motions` are those of the arc's body and of the other. `before` is the velocity
     along the arc a step ago [m/s]; None if the body did not follow the arc then.
     """
-    (at, there), (rates, moves) = places, motions
-    way = put(there, found.point) - put(at, found.arc.center)
-    center, point = at[1] * found.arc.center, there[1] * found.point
+    (pose, other_pose), (rates, moves) = places, motions
+    offset = to_plane(other_pose, found.point) - to_plane(pose, found.arc.center)
+    center, point = pose[1] * found.arc.center, other_pose[1] * found.point
     velocity = (moves[0] + 1j * moves[1] * point) - (rates[0] + 1j * rates[1] * center)
     bends = (rates[1] ** 2 * center - moves[1] ** 2 * point) * (drift / 2)
-    out, far = way / abs(way), abs(way)
+    out, far = offset / abs(offset), abs(offset)
     along = dot(velocity + bends, 1j * out)
     moved = min(abs(along if before is None else 2 * along - before) * drift, far)
     back = moved * moved / (far + sqrt(far * far - moved * moved))
@@ -159,31 +159,31 @@ def way_along(
 
 
 def _is_side(piece: Piece) -> bool:
-    return piece.arc is not None and not piece.away
+    return piece.arc is not None and not piece.outward
 
 
-def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
+def _at_side(side: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Verdict:
     """Return the contact of an arc's side with a shape that is not such a side."""
     arc = side.arc
     assert arc is not None
-    center = put(at, arc.center)
+    center = to_plane(pose, arc.center)
     if other.corner is None and len(other.core) > 1:
-        return _is_outside(arc, other, center, at[1], there)
+        return _is_outside(arc, other, center, pose[1], other_pose)
     point = other.core[0] if other.corner is None else other.corner
-    way = put(there, point) - center
-    if not way or not arc.spans(way, at[1]):
+    offset = to_plane(other_pose, point) - center
+    if not offset or not arc.spans(offset, pose[1]):
         return False
-    if other.corner is None and abs(way) >= arc.radius:
-        return not other.away or _ends_at(other, there, center)
-    if other.corner is None and other.away:
+    if other.corner is None and abs(offset) >= arc.radius:
+        return not other.outward or _ends_at(other, other_pose, center)
+    if other.corner is None and other.outward:
         return False  # its feeler touches instead
     if other.corner is not None:
-        middle = put(there, mean(other.core)) - center
-        comes = _leaves(arc, middle, way, at[1])
-        if not comes or _is_outside(arc, other, center, at[1], there):
+        middle = to_plane(other_pose, mean(other.core)) - center
+        comes = _leaves(arc, middle, offset, pose[1])
+        if not comes or _is_outside(arc, other, center, pose[1], other_pose):
             return False
-    found = _inside(arc, center, other.body, point, other.radius, way)
-    if found.depth <= 0 or (other.away and not _ends_at(other, there, center + 2 * way)):
+    found = _inside(arc, center, other.body, point, other.radius, offset)
+    if found.depth <= 0 or (other.outward and not _ends_at(other, other_pose, center + 2 * offset)):
         return False
     return found
 
@@ -194,85 +194,87 @@ def _leaves(arc: Arc, start: complex, end: complex, turned: complex) -> bool:
         return False
     if abs(end) <= arc.radius:
         return True
-    way = end - start
-    ahead, square = dot(start, way), dot(way, way)
+    offset = end - start
+    ahead, square = dot(start, offset), dot(offset, offset)
     root = ahead * ahead - square * (dot(start, start) - arc.radius**2)
-    share = (sqrt(root) - ahead) / square if root > 0 else 0.0
-    return share > 0 and arc.spans(start + share * way, turned)
+    fraction = (sqrt(root) - ahead) / square if root > 0 else 0.0
+    return fraction > 0 and arc.spans(start + fraction * offset, turned)
 
 
 def _inside(
-    arc: Arc, center: complex, body: int, point: complex, radius: float, way: complex
+    arc: Arc, center: complex, body: int, point: complex, radius: float, offset: complex
 ) -> Touch:
-    """Return the contact of a point with a radius, at `way` from an arc's centre, from inside."""
-    out = way / abs(way)
-    on_arc, on_other = center + arc.inner * out, center + way + radius * out
-    depth = abs(way) + radius - arc.inner
+    """Return the contact of a round point, at `offset` from an arc's centre, from inside."""
+    out = offset / abs(offset)
+    on_arc, on_other = center + arc.inner * out, center + offset + radius * out
+    depth = abs(offset) + radius - arc.inner
     return Touch(arc, body, point, radius, depth, -out, on_arc, on_other)
 
 
-def _is_outside(arc: Arc, other: Piece, center: complex, turned: complex, there: Placed) -> bool:
+def _is_outside(
+    arc: Arc, other: Piece, center: complex, turned: complex, other_pose: Placed
+) -> bool:
     """Return whether a shape with corners is at the outer side of an arc.
 
     The arc spans the direction of its point nearest to the centre, and its middle is beyond the
     arc's radius in that direction.
     """
-    core = [put(there, corner) for corner in other.core]
-    way = nearest(core, center) - center
-    if not way or not arc.spans(way, turned):
+    core = [to_plane(other_pose, corner) for corner in other.core]
+    offset = nearest(core, center) - center
+    if not offset or not arc.spans(offset, turned):
         return False
-    beyond = dot(mean(core) - center, way) / abs(way)
+    beyond = dot(mean(core) - center, offset) / abs(offset)
     return beyond > arc.radius * (1 - THIN)
 
 
-def _sides(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
+def _sides(one: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Verdict:
     """Return the contact of the sides of two arcs, one inside the other or both from outside."""
     wide, narrow = one.arc, other.arc
     assert wide is not None
     assert narrow is not None
     if wide.radius < narrow.radius:
-        return _sides(other, one, there, at)
-    center = put(at, wide.center)
-    way = put(there, narrow.center) - center
-    if abs(way) >= wide.radius:
-        return wide.spans(way, at[1]) and narrow.spans(-way, there[1])
-    if not way or not (wide.spans(way, at[1]) and narrow.spans(way, there[1])):
+        return _sides(other, one, other_pose, pose)
+    center = to_plane(pose, wide.center)
+    offset = to_plane(other_pose, narrow.center) - center
+    if abs(offset) >= wide.radius:
+        return wide.spans(offset, pose[1]) and narrow.spans(-offset, other_pose[1])
+    if not offset or not (wide.spans(offset, pose[1]) and narrow.spans(offset, other_pose[1])):
         return False
-    found = _inside(wide, center, narrow.body, narrow.center, narrow.outer, way)
+    found = _inside(wide, center, narrow.body, narrow.center, narrow.outer, offset)
     return found if found.depth > 0 else False
 
 
-def _at_end(end: Piece, other: Piece, at: Placed, there: Placed) -> bool:
+def _at_end(end: Piece, other: Piece, pose: Placed, other_pose: Placed) -> bool:
     """Return whether a shape can touch another that may be the end of an arc.
 
     An end is touched only from beyond it: a shape beside the arc touches the arc's side, and one
     beside a line that continues the arc touches that line.
     """
-    if not end.away:
+    if not end.outward:
         return True
     if len(other.core) > 1:
-        core = [put(there, corner) for corner in other.core]
-        return _ends_at(end, at, nearest(core, put(at, end.core[0])))
-    point = put(there, other.core[0])
+        core = [to_plane(other_pose, corner) for corner in other.core]
+        return _ends_at(end, pose, nearest(core, to_plane(pose, end.core[0])))
+    point = to_plane(other_pose, other.core[0])
     if end.arc is None:
-        return _ends_at(end, at, point)
-    if end.arc.spans(point - put(at, end.arc.center), at[1]):
+        return _ends_at(end, pose, point)
+    if end.arc.spans(point - to_plane(pose, end.arc.center), pose[1]):
         return False
-    return not end.goes_on or _ends_at(end, at, point)
+    return not end.continuation or _ends_at(end, pose, point)
 
 
-def _ends_at(end: Piece, at: Placed, point: complex) -> bool:
+def _ends_at(end: Piece, pose: Placed, point: complex) -> bool:
     """Return whether a point is beyond an arc's end, and not beside a line that continues it."""
-    way = point - put(at, end.core[0])
-    return dot(way, end.away * at[1]) >= 0 and dot(way, end.goes_on * at[1]) <= 0
+    offset = point - to_plane(pose, end.core[0])
+    return dot(offset, end.outward * pose[1]) >= 0 and dot(offset, end.continuation * pose[1]) <= 0
 
 
-def put(there: Placed, point: complex) -> complex:
+def to_plane(other_pose: Placed, point: complex) -> complex:
     """Return the position of a body's point in the plane [m]."""
-    return there[0] + there[1] * point
+    return other_pose[0] + other_pose[1] * point
 
 
-def nearest(core: Sequence[complex], place: complex) -> complex:
+def nearest(core: Sequence[complex], point: complex) -> complex:
     """Return the point of a convex core nearest to a place; the place itself if it is inside."""
     best, within = core[0], len(core) > 2
     if len(core) == 1:
@@ -280,9 +282,9 @@ def nearest(core: Sequence[complex], place: complex) -> complex:
     for i, b in enumerate(core):
         a = core[i - 1]
         along = b - a
-        share = dot(place - a, along) / (dot(along, along) or 1.0)  # far out, ends may coincide
-        near = a + along * min(max(share, 0.0), 1.0)
-        if abs(near - place) < abs(best - place):
-            best = near
-        within &= along.real * (place - a).imag - along.imag * (place - a).real > 0
-    return place if within else best
+        fraction = dot(point - a, along) / (dot(along, along) or 1.0)  # far out, ends may coincide
+        foot = a + along * min(max(fraction, 0.0), 1.0)
+        if abs(foot - point) < abs(best - point):
+            best = foot
+        within &= along.real * (point - a).imag - along.imag * (point - a).real > 0
+    return point if within else best

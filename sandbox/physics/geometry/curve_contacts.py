@@ -16,7 +16,7 @@ from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Curve
 from sandbox.model.wire_points import along
 from sandbox.physics.geometry import arc_contacts
-from sandbox.physics.geometry.arc_contacts import THIN, Arc, Piece, Placed, Touch, Verdict, put
+from sandbox.physics.geometry.arc_contacts import THIN, Arc, Piece, Placed, Touch, Verdict, to_plane
 from sandbox.physics.geometry.outline_distance import dot, mean
 from sandbox.physics.geometry.plane_curve import Course, CurvePoint, Side
 
@@ -55,21 +55,21 @@ def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 
 def closest_circle(foot: CurvePoint, half: float, body: int) -> Arc:
     """Return the osculating circle of a course at a point, as an arc of thickness 2 `half`."""
-    radius = 1 / abs(foot.bend)
-    center = foot.point + 1j * foot.tangent / foot.bend
+    radius = 1 / abs(foot.curvature)
+    center = foot.point + 1j * foot.tangent / foot.curvature
     return Arc(body, center, radius, radius - half, radius + half, 1 + 0j, -2.0)
 
 
 def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
-    core = [(put(there, corner) - at[0]) / at[1] for corner in other.core]
+    core = [(to_plane(there, corner) - at[0]) / at[1] for corner in other.core]
     middle = mean(core)
     if other.corner is None and len(core) > 1:
         return _flat(side, other, core, at)
-    point = middle if other.corner is None else (put(there, other.corner) - at[0]) / at[1]
-    near, knot = side.course.knot(point, side.stretch)
+    point = middle if other.corner is None else (to_plane(there, other.corner) - at[0]) / at[1]
+    near, knot = side.course.nearest_knot(point, side.stretch)
     if _is_far(side, other.radius, point - knot, middle - point):
         return False
-    foot = side.course.foot(point, side.stretch, near)
+    foot = side.course.foot_point(point, side.stretch, near)
     if foot is None:
         return False
     left = 1j * foot.tangent
@@ -78,8 +78,8 @@ def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
     depth = side.half + other.radius - apart
     if depth <= 0 or (other.corner is not None and depth > abs(middle - point) + other.radius):
         return False
-    inside = hand * foot.bend > 0
-    center = apart * abs(foot.bend) > 1 - CENTRED if inside else False
+    inside = hand * foot.curvature > 0
+    center = apart * abs(foot.curvature) > 1 - CENTRED if inside else False
     return Touch(
         arc=closest_circle(foot, side.half, side.body),
         body=other.body,
@@ -87,8 +87,8 @@ def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
         radius=other.radius,
         depth=depth,
         normal=hand * left * at[1],
-        on_arc=put(at, foot.point + hand * left * side.half),
-        on_other=put(at, point - hand * left * other.radius),
+        on_arc=to_plane(at, foot.point + hand * left * side.half),
+        on_other=to_plane(at, point - hand * left * other.radius),
         sign=0 if center else 1 if inside else -1,
     )
 
@@ -111,11 +111,11 @@ def _flat(side: Side, other: Piece, core: list[complex], at: Placed) -> Verdict:
     best: Touch | None = None
     for a, b in _edges(core):
         out = -1j * (b - a) / abs(b - a)
-        foot = side.course.parallel(-side.stretch.bend * 1j * out, side.stretch)
+        foot = side.course.parallel(-side.stretch.turn_sign * 1j * out, side.stretch)
         if foot is None:
             continue
         depth = side.half + other.radius - dot(foot.point - a, out)
-        wide = max(DEEP * max(dot(a - c, out) for c in core), THIN / abs(foot.bend))
+        wide = max(DEEP * max(dot(a - c, out) for c in core), THIN / abs(foot.curvature))
         share = dot(foot.point - a, b - a)
         beside = 0 < share < dot(b - a, b - a)
         if beside and 0 < depth < wide and (best is None or depth < best.depth):
@@ -127,8 +127,8 @@ def _flat(side: Side, other: Piece, core: list[complex], at: Placed) -> Verdict:
                 radius=other.radius,
                 depth=depth,
                 normal=-out * at[1],
-                on_arc=put(at, foot.point - out * side.half),
-                on_other=put(at, on_other),
+                on_arc=to_plane(at, foot.point - out * side.half),
+                on_other=to_plane(at, on_other),
                 sign=0,
             )
     return best or False

@@ -34,11 +34,11 @@ class Outline:
     """The corners of the core, counter-clockwise [m]."""
     radius: float
     """The radius around the core [m]."""
-    reach: float
+    extent: float
     """The largest distance of the core from the centre of the body [m]."""
     group: int = 0
     """The collision group; shapes of the same group do not touch, unless it is 0."""
-    ways: tuple[complex, complex] = (0j, 0j)
+    continuations: tuple[complex, complex] = (0j, 0j)
     """The vectors along the segments that continue a segment at its two ends; 0 without one."""
 
 
@@ -56,12 +56,14 @@ class Gap(NamedTuple):
 def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:
     """Return the outlines of all shapes, in an order independent of memory addresses."""
     found = [
-        outline_of(shape, row) for row, body in enumerate(bodies) for shape in plain(body.shapes)
+        outline_of(shape, row)
+        for row, body in enumerate(bodies)
+        for shape in without_feelers(body.shapes)
     ]
     return sorted(found, key=lambda o: (o.body, [(c.real, c.imag) for c in o.corners], o.radius))
 
 
-def plain(shapes: Iterable[pymunk.Shape]) -> list[pymunk.Shape]:
+def without_feelers(shapes: Iterable[pymunk.Shape]) -> list[pymunk.Shape]:
     """Return the shapes without feelers, which are for arcs only."""
     return [shape for shape in shapes if shape.filter.categories != FEELER]
 
@@ -84,15 +86,15 @@ def outline_of(shape: pymunk.Shape, row: int) -> Outline:
             others = [s for s in body.shapes if s is not shape and isinstance(s, pymunk.Segment)]
             lines = [(complex(*line.a), complex(*line.b)) for line in others]
             a, b = complex(*shape.a), complex(*shape.b)
-            ways = _goes_on(a, lines), _goes_on(b, lines)
-            return Outline(row, (a, b), shape.radius, max(abs(a), abs(b)), group, ways)
+            continuations = _continuation(a, lines), _continuation(b, lines)
+            return Outline(row, (a, b), shape.radius, max(abs(a), abs(b)), group, continuations)
         case pymunk.Poly():
             corners = tuple(dict.fromkeys(complex(*corner) for corner in shape.get_vertices()))
             return Outline(row, corners, shape.radius, max(map(abs, corners)), group)
     raise TypeError(f"no outline of a {type(shape).__name__}")
 
 
-def _goes_on(end: complex, lines: Sequence[tuple[complex, complex]]) -> complex:
+def _continuation(end: complex, lines: Sequence[tuple[complex, complex]]) -> complex:
     """Return the vector along the segment that continues another at an end; 0 without one."""
     for a, b in lines:
         if end in (a, b):
@@ -162,36 +164,36 @@ def _edges(core: Sequence[complex]) -> list[_Edge]:
 
 
 def _nearest(
-    one: Sequence[complex], other: Sequence[complex], edges: Sequence[_Edge], least: float
+    one: Sequence[complex], other: Sequence[complex], edges: Sequence[_Edge], closest: float
 ) -> list[_Near]:
     """Return the nearest points of all edges of one core to every corner of another.
 
     Beside an edge the normal is that of the edge, which is accurate at any distance. Points further
-    away than the `least` known distance [m], or than one found here, are left out.
+    away than the `closest` known distance [m], or than one found here, are left out.
     """
     if len(other) == 1:
         return [_to_point(p, other[0]) for p in one]
     found = []
     for p in one:
         for a, b, along, square, out in edges:
-            way = p - a
-            high = way.real * out.real + way.imag * out.imag
-            if abs(high) > least + FLUSH:
+            offset = p - a
+            height = offset.real * out.real + offset.imag * out.imag
+            if abs(height) > closest + FLUSH:
                 continue
-            share = way.real * along.real + way.imag * along.imag
-            if 0 < share < square:
-                near = _Near(abs(high), -out if high > 0 else out, p)
+            projection = offset.real * along.real + offset.imag * along.imag
+            if 0 < projection < square:
+                near = _Near(abs(height), -out if height > 0 else out, p)
             else:
-                near = _to_point(p, a if share <= 0 else b)
+                near = _to_point(p, a if projection <= 0 else b)
             found.append(near)
-            least = min(least, near.distance)
+            closest = min(closest, near.distance)
     return found
 
 
 def _to_point(p: complex, q: complex) -> _Near:
-    way = q - p
-    distance = abs(way)
-    return _Near(distance, way / distance if distance else 1j, p)
+    offset = q - p
+    distance = abs(offset)
+    return _Near(distance, offset / distance if distance else 1j, p)
 
 
 Core = tuple[Sequence[complex], Sequence[_Edge]]
@@ -208,14 +210,14 @@ def _overlap(one: Core, other: Core) -> _Near | None:
     thin = sizes[0] < 3 > sizes[1]
     if thin and 1 in sizes:
         return None
-    apart = -FLUSH if thin else 0.0
+    tolerance = -FLUSH if thin else 0.0
     least: _Near | None = None
     for (_, edges), (against, _), sign in ((one, other, 1), (other, one, -1)):
         for a, _, _, _, out in edges:
             x, y = out.real, out.imag
             deepest = min(against, key=lambda p, x=x, y=y: p.real * x + p.imag * y)  # type: ignore[misc]
             distance = dot(deepest - a, out)
-            if distance > apart:
+            if distance > tolerance:
                 return None
             if least is None or distance > least.distance:
                 least = _Near(distance, sign * out, deepest)
@@ -238,7 +240,11 @@ def width(shape: pymunk.Shape) -> float:
     return inf
 
 
-def smallest(space: pymunk.Space) -> float:
+def smallest_width(space: pymunk.Space) -> float:
     """Return the smallest width of all shapes of dynamic bodies [m], 0 if there are none."""
-    dynamic = [s for s in plain(space.shapes) if s.body and s.body.body_type == pymunk.Body.DYNAMIC]
+    dynamic = [
+        s
+        for s in without_feelers(space.shapes)
+        if s.body and s.body.body_type == pymunk.Body.DYNAMIC
+    ]
     return min(map(width, dynamic), default=0.0)

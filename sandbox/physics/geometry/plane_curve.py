@@ -45,13 +45,13 @@ _GAUSS = tuple((0.5 + x, w) for x, w in ((-sqrt(0.15), 5 / 18), (0.0, 4 / 9), (s
 class CurvePoint(NamedTuple):
     """A point of a course."""
 
-    at: float
+    parameter: float
     """The parameter, in pieces."""
     point: complex
     """The position [m]."""
     tangent: complex
     """The unit tangent."""
-    bend: float
+    curvature: float
     """The curvature, positive where the course turns left; never 0 [1/m]."""
 
 
@@ -61,10 +61,10 @@ class Stretch(NamedTuple):
     first: int
     last: int
     """The knots at its ends."""
-    bend: int
+    turn_sign: int
     """1 if it turns left, −1 if right, 0 if it is straight."""
     center: complex
-    reach: float
+    radius: float
     """The centre and radius of a circle around it [m]."""
 
 
@@ -81,18 +81,18 @@ class Course:
         self.knots = points[::KNOT]
         self.spacing = STRAIGHT * KNOT * float(np.abs(np.diff(points)).max())
         ends = () if self._curve.closed else (0.0, float(self._curve.count))
-        self.ends = tuple(self.look(at) for at in ends)
-        self.stretches = self._cut()
+        self.ends = tuple(self.point_at(at) for at in ends)
+        self.stretches = self._split()
 
-    def knot(self, point: complex, stretch: Stretch | None = None) -> tuple[int, complex]:
+    def nearest_knot(self, point: complex, stretch: Stretch | None = None) -> tuple[int, complex]:
         """Return the knot of the course or a stretch nearest to a point, and its position [m]."""
         first, last = self._range(stretch)
-        way = self.knots[first : last + 1] - point
-        near = first + int(np.argmin(way.real**2 + way.imag**2))
-        return near, complex(self.knots[near])
+        offsets = self.knots[first : last + 1] - point
+        index = first + int(np.argmin(offsets.real**2 + offsets.imag**2))
+        return index, complex(self.knots[index])
 
-    def foot(
-        self, point: complex, stretch: Stretch | None = None, near: int | None = None
+    def foot_point(
+        self, point: complex, stretch: Stretch | None = None, knot: int | None = None
     ) -> CurvePoint | None:
         """Return the foot point on the course or a stretch, searched around the nearest knot.
 
@@ -100,52 +100,55 @@ class Course:
         foot point on the first of them only.
         """
         first, last = self._range(stretch)
-        near = self.knot(point, stretch)[0] if near is None else near
-        low, high = max(near - 1, first) * KNOT, min(near + 1, last) * KNOT
-        if near == first and self._ahead(first * KNOT, point) <= 0:
+        knot = self.nearest_knot(point, stretch)[0] if knot is None else knot
+        low, high = max(knot - 1, first) * KNOT, min(knot + 1, last) * KNOT
+        if knot == first and self._is_ahead(first * KNOT, point) <= 0:
             return None
-        if near == last and self._ahead(last * KNOT, point) > 0:
+        if knot == last and self._is_ahead(last * KNOT, point) > 0:
             return None
-        return self._between(point, float(low), float(high), float(near * KNOT))
+        return self._foot_between(point, float(low), float(high), float(knot * KNOT))
 
     def _range(self, stretch: Stretch | None) -> tuple[int, int]:
         """Return the first and last knot of a stretch, or of the whole course."""
         return (stretch.first, stretch.last) if stretch else (0, len(self.knots) - 1)
 
-    def follow(self, point: complex, at: float) -> CurvePoint:
+    def foot_point_near(self, point: complex, at: float) -> CurvePoint:
         """Return the foot point on the course near a parameter."""
         reach = self._curve.count * FOLLOWED
-        return self._between(point, at - reach, at + reach, at)
+        return self._foot_between(point, at - reach, at + reach, at)
 
     def parallel(self, direction: complex, stretch: Stretch) -> CurvePoint | None:
         """Return the point where a bent stretch runs in a direction; None if there is none."""
         low, high = float(stretch.first * KNOT), float(stretch.last * KNOT)
         at = (low + high) / 2
-        if not stretch.bend or self._turned(low, direction) * self._turned(high, direction) > 0:
+        if (
+            not stretch.turn_sign
+            or self._is_left(low, direction) * self._is_left(high, direction) > 0
+        ):
             return None
         if dot(self._curve.at(at)[1], direction) <= 0:
             return None
         for _ in range(HALVINGS):
             _, slope, bend = self._curve.at(at)
-            turned = (direction.conjugate() * slope).imag
-            if turned * stretch.bend > 0:
+            sine = (direction.conjugate() * slope).imag
+            if sine * stretch.turn_sign > 0:
                 high = at
             else:
                 low = at
-            steep = (direction.conjugate() * bend).imag
-            step = -turned / steep if steep else 0.0
-            if steep and abs(step) < QUADRATIC:
-                return self.look(at + step)
-            at = at + step if steep and low < at + step < high else (low + high) / 2
-        return self.look(at)
+            slope_of_sine = (direction.conjugate() * bend).imag
+            step = -sine / slope_of_sine if slope_of_sine else 0.0
+            if slope_of_sine and abs(step) < QUADRATIC:
+                return self.point_at(at + step)
+            at = at + step if slope_of_sine and low < at + step < high else (low + high) / 2
+        return self.point_at(at)
 
     def lowest(self, direction: complex, stretch: Stretch) -> complex:
         """Return the point of a stretch that is farthest against a direction [m]."""
         ends = [complex(self.knots[knot]) for knot in (stretch.first, stretch.last)]
-        foot = self.parallel(-stretch.bend * 1j * direction, stretch)
+        foot = self.parallel(-stretch.turn_sign * 1j * direction, stretch)
         return min([foot.point] if foot else ends, key=lambda point: dot(point, direction))
 
-    def look(self, at: float) -> CurvePoint:
+    def point_at(self, at: float) -> CurvePoint:
         """Return the point at a parameter."""
         point, slope, bend = self._curve.at(at)
         speed = abs(slope)
@@ -156,36 +159,36 @@ class Course:
 
     def length(self, start: float, end: float) -> float:
         """Return the arc length between two close parameters [m], negative backwards."""
-        way = end - start
-        return way * fsum(w * abs(self._curve.at(start + x * way)[1]) for x, w in _GAUSS)
+        interval = end - start
+        return interval * fsum(w * abs(self._curve.at(start + x * interval)[1]) for x, w in _GAUSS)
 
-    def _ahead(self, at: float, point: complex) -> float:
+    def _is_ahead(self, at: float, point: complex) -> float:
         """Return a positive number if a point is ahead of a parameter, negative if behind it."""
-        place, slope, _ = self._curve.at(at)
-        return dot(slope, point - place)
+        position, slope, _ = self._curve.at(at)
+        return dot(slope, point - position)
 
-    def _turned(self, at: float, direction: complex) -> float:
+    def _is_left(self, at: float, direction: complex) -> float:
         """Return a positive number if the tangent is to the left of a direction, else negative."""
         return (direction.conjugate() * self._curve.at(at)[1]).imag
 
-    def _between(self, point: complex, low: float, high: float, at: float) -> CurvePoint:
+    def _foot_between(self, point: complex, low: float, high: float, at: float) -> CurvePoint:
         """Return the foot point between two parameters, by Newton's method and bisection."""
         for _ in range(HALVINGS):
-            place, slope, bend = self._curve.at(at)
-            away = point - place
-            ahead = dot(slope, away)
-            steepness = abs(slope) ** 2 - dot(bend, away)
+            position, slope, bend = self._curve.at(at)
+            offset = point - position
+            ahead = dot(slope, offset)
+            steepness = abs(slope) ** 2 - dot(bend, offset)
             if ahead > 0:
                 low = at
             else:
                 high = at
             step = ahead / steepness if steepness > 0 else high - low
             if abs(step) < QUADRATIC:
-                return self.look(at + step)
+                return self.point_at(at + step)
             at = at + step if low <= at + step <= high else (low + high) / 2
-        return self.look(at)
+        return self.point_at(at)
 
-    def _cut(self) -> tuple[Stretch, ...]:
+    def _split(self) -> tuple[Stretch, ...]:
         """Return the stretches, which end at maxima of curvature, inflections, or large turns."""
         _, slope, bend = self._curve.over(np.arange(0, self._curve.count + 1, KNOT))
         speed = np.abs(slope)

@@ -40,7 +40,7 @@ class NearestPoint(NamedTuple):
 class Line(Protocol):
     """A line with a left and a right side."""
 
-    def beside(self, point: complex) -> NearestPoint:
+    def nearest(self, point: complex) -> NearestPoint:
         """Return its point nearest to another point [m]."""
 
 
@@ -49,18 +49,18 @@ class Straight:
 
     def __init__(self, points: Sequence[complex]) -> None:
         self._starts = np.array(points[:-1])
-        self._ways = np.array([b - a for a, b in pairwise(points)])
-        self._squares = np.abs(self._ways) ** 2
+        self._segments = np.array([b - a for a, b in pairwise(points)])
+        self._squares = np.abs(self._segments) ** 2
 
-    def beside(self, point: complex) -> NearestPoint:
+    def nearest(self, point: complex) -> NearestPoint:
         """Return the nearest point; at a corner, left bisects the lefts of both segments."""
-        share = ((point - self._starts) * self._ways.conj()).real / self._squares
-        feet = self._starts + np.clip(share, 0, 1) * self._ways
-        far: Array = np.abs(feet - point)
-        best = int(np.argmin(far))
-        here = np.abs(feet - feet[best]) <= SAME
-        way = complex((self._ways[here] / np.sqrt(self._squares[here])).sum())
-        return NearestPoint(complex(feet[best]), 1j * way / (abs(way) or 1.0))
+        fraction = ((point - self._starts) * self._segments.conj()).real / self._squares
+        feet = self._starts + np.clip(fraction, 0, 1) * self._segments
+        distances: Array = np.abs(feet - point)
+        best = int(np.argmin(distances))
+        at_best = np.abs(feet - feet[best]) <= SAME
+        direction = complex((self._segments[at_best] / np.sqrt(self._squares[at_best])).sum())
+        return NearestPoint(complex(feet[best]), 1j * direction / (abs(direction) or 1.0))
 
 
 class Round:
@@ -71,13 +71,13 @@ class Round:
         half = complex(arc.cosine, (1 - min(arc.cosine**2, 1.0)) ** 0.5)
         self._ends = [arc.middle * turn for turn in (half.conjugate(), half)]
 
-    def beside(self, point: complex) -> NearestPoint:
+    def nearest(self, point: complex) -> NearestPoint:
         """Return the nearest point; left is inside."""
-        way = point - self._arc.center
-        if not way or not self._arc.spans(way, 1 + 0j):
-            way = max(self._ends, key=lambda end: dot(end, way))
-        out = way / abs(way)
-        return NearestPoint(self._arc.center + self._arc.radius * out, -out)
+        offset = point - self._arc.center
+        if not offset or not self._arc.spans(offset, 1 + 0j):
+            offset = max(self._ends, key=lambda end: dot(end, offset))
+        outward = offset / abs(offset)
+        return NearestPoint(self._arc.center + self._arc.radius * outward, -outward)
 
 
 class Curved:
@@ -86,12 +86,12 @@ class Curved:
     def __init__(self, course: Course) -> None:
         self._course = course
 
-    def beside(self, point: complex) -> NearestPoint:
+    def nearest(self, point: complex) -> NearestPoint:
         """Return the nearest point."""
-        foot = self._course.foot(point)
+        foot = self._course.foot_point(point)
         feet: list[CurvePoint] = [*self._course.ends, *([foot] if foot else [])]
-        near = min(feet, key=lambda foot: abs(foot.point - point))
-        return NearestPoint(near.point, 1j * near.tangent)
+        best = min(feet, key=lambda foot: abs(foot.point - point))
+        return NearestPoint(best.point, 1j * best.tangent)
 
 
 def side(line: Line, core: Sequence[complex], radii: float) -> tuple[int, float]:
@@ -102,55 +102,59 @@ def side(line: Line, core: Sequence[complex], radii: float) -> tuple[int, float]
     sum of the radii around line and core [m].
     """
     middle = mean(core)
-    beside, point = min(
-        (_between(line, core, start) for start in (*core, middle)),
+    nearest_point, point = min(
+        (_nearest_points(line, core, start) for start in (*core, middle)),
         key=lambda found: abs(found[1] - found[0].point),
     )
-    way = point - beside.point
-    gap = abs(way) - radii
+    offset = point - nearest_point.point
+    gap = abs(offset) - radii
     edges = zip(core, (*core[1:], core[0]), strict=True) if len(core) > 1 else ()
-    if abs(way) > max(radii - TOUCHING, 0.0) and not any(_crosses(line, *edge) for edge in edges):
-        return int(np.sign(dot(way, beside.left))), gap
+    if abs(offset) > max(radii - TOUCHING, 0.0) and not any(
+        _crosses(line, *edge) for edge in edges
+    ):
+        return int(np.sign(dot(offset, nearest_point.left))), gap
     if len(core) == 1:
         return 0, gap
-    hand = 1 if dot(middle - beside.point, beside.left) > 0 else -1
-    return hand if all(_is_on(line, corner, hand, radii) for corner in core) else 0, gap
+    sign = 1 if dot(middle - nearest_point.point, nearest_point.left) > 0 else -1
+    return sign if all(_is_on(line, corner, sign, radii) for corner in core) else 0, gap
 
 
 def _crosses(line: Line, start: complex, end: complex) -> bool:
     """Return whether a line and an edge cross."""
-    low, high = _across(line, start), _across(line, end)
+    low, high = _signed_distance(line, start), _signed_distance(line, end)
     if low * high > 0:
         return False
     for _ in range(HALVINGS):
         middle = (start + end) / 2
-        if _across(line, middle) * low > 0:
+        if _signed_distance(line, middle) * low > 0:
             start = middle
         else:
             end = middle
-    return abs(line.beside(start).point - start) <= SAME + abs(end - start)
+    return abs(line.nearest(start).point - start) <= SAME + abs(end - start)
 
 
-def _across(line: Line, point: complex) -> float:
+def _signed_distance(line: Line, point: complex) -> float:
     """Return the distance of a point to the left of a line [m]."""
-    beside = line.beside(point)
-    return dot(point - beside.point, beside.left)
+    nearest_point = line.nearest(point)
+    return dot(point - nearest_point.point, nearest_point.left)
 
 
-def _is_on(line: Line, corner: complex, hand: int, radii: float) -> bool:
+def _is_on(line: Line, corner: complex, sign: int, radii: float) -> bool:
     """Return whether a corner of a touching body is on one side of a line, or beyond its ends."""
-    beside = line.beside(corner)
-    way = corner - beside.point
-    across = dot(way, beside.left)
-    return hand * across > radii - TOUCHING or abs(across) < abs(way) - TOUCHING
+    nearest_point = line.nearest(corner)
+    offset = corner - nearest_point.point
+    distance = dot(offset, nearest_point.left)
+    return sign * distance > radii - TOUCHING or abs(distance) < abs(offset) - TOUCHING
 
 
-def _between(line: Line, core: Sequence[complex], start: complex) -> tuple[NearestPoint, complex]:
+def _nearest_points(
+    line: Line, core: Sequence[complex], start: complex
+) -> tuple[NearestPoint, complex]:
     """Return the nearest points of a line and of a body, searched from a point of the body."""
     point = start
     for _ in range(LOOKS):
-        beside = line.beside(point)
-        before, point = point, nearest(core, beside.point)
-        if abs(point - before) <= SAME:
+        nearest_point = line.nearest(point)
+        previous, point = point, nearest(core, nearest_point.point)
+        if abs(point - previous) <= SAME:
             break
-    return beside, point
+    return nearest_point, point

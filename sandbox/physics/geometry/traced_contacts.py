@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, put
+from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, to_plane
 from sandbox.physics.geometry.outline_distance import Outline, dot, gap
 from sandbox.physics.geometry.plane_curve import Side
 
@@ -41,7 +41,10 @@ def trace_convex(one: Outline, other: Outline) -> Trace:
     """Return the contact of two convex outlines, one of which is a disc."""
 
     def found(at: Placed, there: Placed) -> ContactGeometry:
-        cores = [put(at, corner) for corner in one.corners], [put(there, p) for p in other.corners]
+        cores = (
+            [to_plane(at, corner) for corner in one.corners],
+            [to_plane(there, p) for p in other.corners],
+        )
         apart, normal, points = gap(*cores, one.radius + other.radius)
         return ContactGeometry(normal, points[0] + normal * (one.radius + apart), apart)
 
@@ -50,8 +53,8 @@ def trace_convex(one: Outline, other: Outline) -> Trace:
 
 def _in_arc(touch: Touch, at: Placed, there: Placed) -> ContactGeometry:
     """Return the contact of a point, with a radius around it, with an arc from inside."""
-    center = put(at, touch.arc.center)
-    way = put(there, touch.point) - center
+    center = to_plane(at, touch.arc.center)
+    way = to_plane(there, touch.point) - center
     out = way / abs(way)
     return ContactGeometry(
         -out, center + way + touch.radius * out, touch.arc.inner - abs(way) - touch.radius
@@ -62,18 +65,18 @@ def _on_curve(side: Side, touch: Touch, at: Placed, there: Placed) -> Trace:
     """Return the contact of a point, with a radius around it, with a curve."""
 
     def seen(at: Placed, there: Placed) -> complex:
-        return (put(there, touch.point) - at[0]) / at[1]
+        return (to_plane(there, touch.point) - at[0]) / at[1]
 
-    start = side.course.foot(seen(at, there), side.stretch)
+    start = side.course.foot_point(seen(at, there), side.stretch)
     assert start
     hand = 1 if dot(touch.normal / at[1], 1j * start.tangent) >= 0 else -1
 
     def found(at: Placed, there: Placed) -> ContactGeometry:
         place = seen(at, there)
-        foot = side.course.follow(place, start.at)
+        foot = side.course.foot_point_near(place, start.parameter)
         out = hand * 1j * foot.tangent
         gap = dot(place - foot.point, out) - side.half - touch.radius
-        return ContactGeometry(out * at[1], put(at, place - out * touch.radius), gap)
+        return ContactGeometry(out * at[1], to_plane(at, place - out * touch.radius), gap)
 
     return found
 
@@ -88,7 +91,7 @@ def _side_on_curve(side: Side, out: complex, touch: Touch, there: Placed) -> Tra
     def found(at: Placed, there: Placed) -> ContactGeometry:
         away = out * there[1] / at[1]
         point = side.course.lowest(away, side.stretch)
-        high = dot(point - (put(there, place) - at[0]) / at[1], away)
-        return ContactGeometry(-away * at[1], put(at, point - high * away), high - side.half)
+        high = dot(point - (to_plane(there, place) - at[0]) / at[1], away)
+        return ContactGeometry(-away * at[1], to_plane(at, point - high * away), high - side.half)
 
     return found

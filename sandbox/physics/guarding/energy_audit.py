@@ -50,81 +50,88 @@ MUCH = 0.1
 class PassiveAudit:
     """Detects energy without a cause where nothing puts energy in, from the start on; n bodies.
 
-    `thickness`, (n,), is that of the bodies, 0 for lines [m]; `swing` is the relative oscillation
-    of a spring's energy with leapfrog, and `rate` the steps per second [Hz]. `least` is an energy
-    that is negligible in the scene, and `lifted` the energy from the correction of overlaps so
-    far [J].
+    `thickness`, (n,), is that of the bodies, 0 for lines [m]; `oscillation` is the relative
+    oscillation of a spring's energy with leapfrog, and `rate` the steps per second [Hz].
+    `negligible` is an energy that is negligible in the scene, and `correction` the energy
+    from the correction of overlaps so far [J].
     """
 
     def __init__(
-        self, scene: Scene, start: Snapshot, thickness: Array, swing: float, rate: float
+        self, scene: Scene, start: Snapshot, thickness: Array, oscillation: float, rate: float
     ) -> None:
-        self._scene, self._swing, self._dt = scene, swing, 1 / rate
+        self._scene, self._oscillation, self._dt = scene, oscillation, 1 / rate
         self._laws = (*([scene.gravity] if scene.gravity else []), *scene.laws)
         stores = {id(law): law for law in self._laws if law.effect.book == "potential"}
         springs = (spring for spring in scene.joints.springs.values() if spring.is_plain)
         plain = [spring for spring in springs if stores.pop(id(spring), None)]
         self._stores, self._springs = [*stores.values()], _rows(plain) if plain else None
-        energy, self._lowest = self.energies(start)
-        self._before = self._level = energy
+        energy, self._min_potential = self.energies(start)
+        self._previous_energy = self._min_energy = energy
         self._last = start
         strength = np.hypot(*self._acceleration(start, self._laws)[:, :2].T)
         rise = strength * UNNOTICED * thickness + (FALLS * strength * self._dt) ** 2 / 2
-        self.least = float(scene.mass @ rise) + ROUNDING * abs(energy - self._lowest)
+        self.negligible = float(scene.mass @ rise) + ROUNDING * abs(energy - self._min_potential)
         shift = MOVED * (1 + np.abs(start.position).max(initial=0.0))  # the precision of joints
-        self.least += float(scene.mass.sum()) * (shift * rate) ** 2 / 2
+        self.negligible += float(scene.mass.sum()) * (shift * rate) ** 2 / 2
         # of forces in balance each stores energy, which is known as well as positions are
-        alone = (np.hypot(*self._acceleration(start, [law])[:, :2].T) for law in self._laws)
-        self.least += float(scene.mass @ sum(alone, np.zeros_like(scene.mass))) * shift
-        self._coarse = float(scene.mass @ strength) * _extent(scene, start, thickness)
+        magnitudes = (np.hypot(*self._acceleration(start, [law])[:, :2].T) for law in self._laws)
+        self.negligible += float(scene.mass @ sum(magnitudes, np.zeros_like(scene.mass))) * shift
+        self._unseen_correction = float(scene.mass @ strength) * _extent(scene, start, thickness)
         if scene.joints.own:  # pymunk's own joints drift, and their correction lifts bodies, too
-            self.least += self._coarse
-        self._still = float(shift * shift)
-        self.lifted = 0.0
+            self.negligible += self._unseen_correction
+        self._negligible_square = float(shift * shift)
+        self.correction = 0.0
 
     def energies(self, now: Snapshot) -> tuple[float, float]:
         """Return the total energy and the potential energy [J]."""
-        stored = sum(float(law.potential_energy(now).sum()) for law in self._stores)
+        potential = sum(float(law.potential_energy(now).sum()) for law in self._stores)
         if self._springs:
-            stored += self._springs.stored(now)
+            potential += self._springs.energy(now)
         return float(
             kinetic_energy(self._scene.mass, self._scene.moment, now).sum()
-        ) + stored, stored
+        ) + potential, potential
 
-    def follow(self, now: Snapshot, contacts: Contacts, before: Array | None) -> None:
+    def add_correction(
+        self, now: Snapshot, contacts: Contacts, drift_velocity: Array | None
+    ) -> None:
         """Add the energy from the correction of overlaps since the last observation.
 
-        `before`, (n, 3), are the velocities of the last drift [m/s, rad/s]; None if there were
-        several.
+        `drift_velocity`, (n, 3), are the velocities of the last drift [m/s, rad/s]; None if there
+        were several.
         """
         last, self._last = self._last, now
-        if before is None or not len(contacts.bodies):
+        if drift_velocity is None or not len(contacts.bodies):
             return
         if now.t - last.t > 1.5 * self._dt:  # the steps between are unknown
-            self.lifted, self._coarse = self.lifted + self._coarse, 0.0
+            self.correction, self._unseen_correction = (
+                self.correction + self._unseen_correction,
+                0.0,
+            )
             return
-        way = now.position - last.position - before[:, :2] * self._dt
-        if np.vdot(way, way) <= self._still:  # checked in each step: a tenth of the rest
+        displacement = now.position - last.position - drift_velocity[:, :2] * self._dt
+        if (
+            np.vdot(displacement, displacement) <= self._negligible_square
+        ):  # checked in each step: a tenth of the rest
             return
         touching = np.zeros(len(self._scene.mass), dtype=bool)
         touching[contacts.bodies] = True
-        against = -np.sum(self._acceleration(now, self._laws)[:, :2] * way, axis=1)
-        self.lifted += max(float(self._scene.mass @ np.where(touching, against, 0.0)), 0.0)
+        work = -np.sum(self._acceleration(now, self._laws)[:, :2] * displacement, axis=1)
+        self.correction += max(float(self._scene.mass @ np.where(touching, work, 0.0)), 0.0)
 
-    def look(self, now: Snapshot) -> float:
+    def unexplained_energy(self, now: Snapshot) -> float:
         """Return the unexplained energy [J].
 
         It is 0 within the allowed oscillation. The reference is the least energy that two
         observations in a row did not exceed, as a jerk can hide energy from one.
         """
-        energy, stored = self.energies(now)
-        self._lowest = min(self._lowest, stored)
-        had = energy - self.lifted
-        self._level = min(self._level, max(had, self._before))
-        self._before = had
-        there_was = self._level + self.lifted - self._lowest + self.least
-        gained = had - self._level
-        return 0.0 if gained <= there_was * self._swing else gained
+        energy, potential = self.energies(now)
+        self._min_potential = min(self._min_potential, potential)
+        passive_energy = energy - self.correction
+        self._min_energy = min(self._min_energy, max(passive_energy, self._previous_energy))
+        self._previous_energy = passive_energy
+        available = self._min_energy + self.correction - self._min_potential + self.negligible
+        unexplained = passive_energy - self._min_energy
+        return 0.0 if unexplained <= available * self._oscillation else unexplained
 
     def _acceleration(self, now: Snapshot, laws: "Sequence[Law]") -> Array:
         """Return the accelerations by some laws: (n, 3) [m/s², rad/s²]."""
@@ -151,53 +158,67 @@ def _extent(scene: Scene, start: Snapshot, thickness: Array) -> float:
 class DrivenAudit:
     """Checks every observed step of a run with energy input, such as a world.
 
-    `least` is an energy that is negligible in the scene [J], and `swing` the relative oscillation
-    of energy that the scheme allows. If `always`, the books stay open, to detect slow growth,
-    oscillation by oscillation.
+    `negligible` is an energy that is negligible in the scene [J], and `oscillation` the relative
+    oscillation of energy that the scheme allows. If `always_open`, the books stay open, to detect
+    slow growth, oscillation by oscillation.
     """
 
-    def __init__(self, run: Recorded, least: float, swing: float, always: bool) -> None:
-        self._run, self._least, self._swing, self._always = run, least, swing, always
-        self._kinetic, self._most = 0.0, least
+    def __init__(
+        self, run: Recorded, negligible: float, oscillation: float, always_open: bool
+    ) -> None:
+        self._run, self._negligible, self._oscillation, self._is_always_open = (
+            run,
+            negligible,
+            oscillation,
+            always_open,
+        )
+        self._kinetic, self._max_kinetic = 0.0, negligible
         self._books: Ledger | None = None
-        self._lifted = 0.0  # before the books were opened
-        self._had = self._lowest = 0.0  # energy at their opening; least stored since
+        self._opening_correction = 0.0  # before the books were opened
+        self._opening_energy = self._min_potential = (
+            0.0  # energy at their opening; least stored since
+        )
 
-    def look(self, now: Snapshot, before: Array, lifted: float) -> float:
+    def unexplained_energy(self, now: Snapshot, velocity: Array, correction: float) -> float:
         """Return the unexplained energy in a row of steps that change much [J].
 
         It is 0 within the allowed oscillation, and not finite if the kinetic energy is not.
-        `before`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s];
-        `lifted` is the energy from the correction of overlaps since the start [J].
+        `velocity`, (n, 3), are the velocities at the beginning of the last kick [m/s,
+        rad/s]; `correction` is the energy from the correction of overlaps since the start
+        [J].
         """
         scene = self._run.scene
         kinetic = float(kinetic_energy(scene.mass, scene.moment, now).sum())
         if not isfinite(kinetic):
             return kinetic
-        self._most = max(kinetic, self._most)
-        much = abs(kinetic - self._kinetic) > MUCH * self._most
-        had, self._kinetic = self._kinetic, kinetic
-        if not (much or self._always):
+        self._max_kinetic = max(kinetic, self._max_kinetic)
+        large_change = abs(kinetic - self._kinetic) > MUCH * self._max_kinetic
+        previous_kinetic, self._kinetic = self._kinetic, kinetic
+        if not (large_change or self._is_always_open):
             self._books = None
-            self._lifted = lifted
+            self._opening_correction = correction
             return 0.0
         if self._books is None or self._books.steps != self._run.last.steps - 1:
-            self._books = Ledger(self._run, before)
+            self._books = Ledger(self._run, velocity)
             balance = self._books.balance
-            self._lowest = _stored(balance)
+            self._min_potential = _potential(balance)
             # an event in the last drift may have stopped bodies before the books begin
-            self._had = max(balance.energy, had + self._lowest)
+            self._opening_energy = max(balance.energy, previous_kinetic + self._min_potential)
         self._books.note()
-        return self._gained(self._books.balance, lifted - self._lifted)
+        return self._unexplained(self._books.balance, correction - self._opening_correction)
 
-    def _gained(self, balance: Balance, lifted: float) -> float:
-        self._lowest = min(self._lowest, _stored(balance))
+    def _unexplained(self, balance: Balance, correction: float) -> float:
+        self._min_potential = min(self._min_potential, _potential(balance))
         put_in = sum(max(work, 0.0) for work in balance.work.values())
-        there_was = self._had - self._lowest + put_in + lifted + self._least
-        given = sum(max(-loss, 0.0) for loss in balance.loss.values())  # where only losses belong
-        gained = balance.unexplained - lifted + given
-        return gained if gained > there_was * self._swing else 0.0
+        available = (
+            self._opening_energy - self._min_potential + put_in + correction + self._negligible
+        )
+        negative_losses = sum(
+            max(-loss, 0.0) for loss in balance.loss.values()
+        )  # where only losses belong
+        unexplained = balance.unexplained - correction + negative_losses
+        return unexplained if unexplained > available * self._oscillation else 0.0
 
 
-def _stored(balance: Balance) -> float:
+def _potential(balance: Balance) -> float:
     return sum(balance.potential.values())

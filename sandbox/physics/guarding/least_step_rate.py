@@ -18,10 +18,10 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.geometry.outline_distance import plain, width
+from sandbox.physics.geometry.outline_distance import width, without_feelers
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.scene.stability_limits import PROBE, just_stable, limit
-from sandbox.physics.state.anchor import length
+from sandbox.physics.scene.stability_limits import PROBE, just_stable, stability_limit
+from sandbox.physics.state.anchor import path_length
 from sandbox.physics.state.motion import Instant, Motion
 from sandbox.physics.state.snapshot import Snapshot
 
@@ -45,7 +45,7 @@ class RateBound(NamedTuple):
     """What needs it, in words: a joint, a body or an effect."""
 
 
-def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[RateBound]:
+def rate_bounds(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[RateBound]:
     """Return the lower bounds on the rate of a scene in a state, the highest first.
 
     The transverse stiffness of a taut string is its tension over its length, so a chain of light
@@ -53,33 +53,35 @@ def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Rat
     Tensions and speeds change: ask again, or leave a margin. The bodies whose impacts are `located`
     in time may be fast.
     """
-    moves = fast(scene, np.hypot(*now.velocity.T), widths(scene), located)
-    return sorted((*_springs(scene, now), *_taut(scene, now), *moves), reverse=True)
+    by_speed = speed_bounds(scene, np.hypot(*now.velocity.T), widths(scene), located)
+    return sorted(
+        (*_spring_bound(scene, now), *_transverse_bound(scene, now), *by_speed), reverse=True
+    )
 
 
-def needed(scene: Scene, now: Snapshot, located: Container[str] = ()) -> float:
-    """Return the highest of the lower bounds on the rate, 0 if there are none; see `needs` [Hz]."""
-    return max((need.rate for need in needs(scene, now, located)), default=0.0)
+def required_rate(scene: Scene, now: Snapshot, located: Container[str] = ()) -> float:
+    """Return the highest of `rate_bounds`, 0 if there are none [Hz]."""
+    return max((bound.rate for bound in rate_bounds(scene, now, located)), default=0.0)
 
 
-def _springs(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
-    rate, name = limit(scene.joints.springs, scene.inverse_mass, now.angle)
+def _spring_bound(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
+    rate, name = stability_limit(scene.joints.springs, scene.inverse_mass, now.angle)
     if rate:
         yield RateBound(rate, Message("the spring '{name}'", name=name))
 
 
-def _taut(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
+def _transverse_bound(scene: Scene, now: Snapshot) -> Iterator[RateBound]:
     """Treat taut joints as springs of their transverse stiffness."""
     joints = scene.joints
     taut: dict[str, SpringForce] = {}
     tension = dict(zip(joints.paths, now.tension.tolist(), strict=True))
     for name in joints.lines:
-        pulls = tension[name]
+        pull = tension[name]
         for index, ends in enumerate(pairwise(joints.paths[name])):
-            far = float(length(ends, now))
-            if far > 0 and pulls > 0:
-                taut[f"{index} {name}"] = SpringForce(ends, pulls / far, far, 0.0)
-    rate, name = limit(taut, scene.inverse_mass, now.angle)
+            distance = float(path_length(ends, now))
+            if distance > 0 and pull > 0:
+                taut[f"{index} {name}"] = SpringForce(ends, pull / distance, distance, 0.0)
+    rate, name = stability_limit(taut, scene.inverse_mass, now.angle)
     if rate:
         yield RateBound(rate, Message("the joint '{name}'", name=name.partition(" ")[2]))
 
@@ -89,51 +91,51 @@ def widths(scene: Scene) -> Array:
 
     That of lines is infinite: they are as wide as the skin, and no practical rate is enough.
     """
-    shapes = (map(width, plain(body.shapes)) for body in scene.bodies.values())
+    shapes = (map(width, without_feelers(body.shapes)) for body in scene.bodies.values())
     least = np.array([min(each, default=0.0) for each in shapes])
     return np.where(least > THIN, least, np.inf)
 
 
-def fast(
-    scene: Scene, speeds: Array, wide: Array, located: Container[str] = ()
+def speed_bounds(
+    scene: Scene, speeds: Array, width: Array, located: Container[str] = ()
 ) -> Iterator[RateBound]:
     """Yield the rates at which bodies move by their width in a step.
 
-    `speeds`, (n,), are those of the bodies [m/s], and `wide`, (n,), their `widths` [m]. Bodies
+    `speeds`, (n,), are those of the bodies [m/s], and `width`, (n,), their `widths` [m]. Bodies
     whose impacts are `located` need no rate.
     """
-    rates = np.where(scene.mass > 0, speeds / wide, 0.0)
+    rates = np.where(scene.mass > 0, speeds / width, 0.0)
     for name, rate in zip(scene.bodies, rates.tolist(), strict=True):
         if rate > 0 and name not in located:
             yield RateBound(rate, Message("the body '{name}'", name=name))
 
 
-def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[RateBound]:
+def stiffness_bounds(scene: Scene, row: int, motion: Motion, nudge: float) -> Iterator[RateBound]:
     """Yield the rates that laws need because they change with the position of a body, by its row.
 
-    `then` is the motion of the scene; `nudge` is the displacement for the numerical derivative of
+    `motion` is the motion of the scene; `nudge` is the displacement for the numerical derivative of
     the forces on the body [m].
     """
     for law in scene.laws:
-        slope = _slope(scene, law, row, then, "position", nudge)
-        yield RateBound(just_stable(slope, 0.0), called(scene, law))
+        slope = _slope(scene, law, row, motion, "position", nudge)
+        yield RateBound(just_stable(slope, 0.0), law_in_words(scene, law))
 
 
-def slowing(scene: Scene, row: int, then: Motion) -> Iterator[RateBound]:
+def damping_bounds(scene: Scene, row: int, present: Motion) -> Iterator[RateBound]:
     """Yield the rates that laws need because they change with the velocity of a body.
 
     The speed is that of the body, or the terminal speed, at which the law balances the other
     forces, if that is higher.
     """
     for law in scene.laws:
-        if law.effect.sees_velocity:
-            motion = _driven(scene, law, row, Instant.of(then))
+        if law.effect.depends_on_velocity:
+            motion = _with_terminal_speed(scene, law, row, Instant.of(present))
             nudge = NUDGE * max(float(np.hypot(*motion.velocity[row])), PROBE)
             slope = _slope(scene, law, row, motion, "velocity", nudge)
-            yield RateBound(just_stable(0.0, slope), called(scene, law))
+            yield RateBound(just_stable(0.0, slope), law_in_words(scene, law))
 
 
-def _driven(scene: Scene, law: Law, row: int, motion: Instant) -> Instant:
+def _with_terminal_speed(scene: Scene, law: Law, row: int, motion: Instant) -> Instant:
     """Return a motion with at least the speed at which a law balances the other forces."""
     speeds = np.zeros_like(motion.velocity)
     at_rest = _force(law, row, motion._replace(velocity=speeds))
@@ -148,20 +150,22 @@ def _driven(scene: Scene, law: Law, row: int, motion: Instant) -> Instant:
     return motion
 
 
-def _slope(scene: Scene, law: Law, row: int, then: Motion, what: str, nudge: float) -> float:
+def _slope(
+    scene: Scene, law: Law, row: int, motion_before: Motion, attribute: str, nudge: float
+) -> float:
     """Return the largest derivative of a body's acceleration by its position or velocity.
 
     It is 0 if it is not finite [1/s², 1/s].
     """
     slope = np.empty((2, 2))
-    motion = Instant.of(then)
+    motion = Instant.of(motion_before)
     for axis in (0, 1):
-        there = []
+        forces = []
         for sign in (-1, 1):
-            moved = getattr(motion, what).copy()
+            moved = getattr(motion, attribute).copy()
             moved[row, axis] += sign * nudge
-            there.append(_force(law, row, motion._replace(**{what: moved})))
-        slope[axis] = (there[1] - there[0]) / (2 * nudge)
+            forces.append(_force(law, row, motion._replace(**{attribute: moved})))
+        slope[axis] = (forces[1] - forces[0]) / (2 * nudge)
     if not np.isfinite(slope).all():
         return 0.0
     return float(np.linalg.norm(slope, 2) * scene.inverse_mass[row, 0])
@@ -175,7 +179,7 @@ def _force(law: Law, row: int, motion: Instant) -> Array:
     return wrench[row, :2]
 
 
-def called(scene: Scene, law: Law) -> Message:
+def law_in_words(scene: Scene, law: Law) -> Message:
     """Return the spring or effect that declares a law, in words."""
     for name, spring in scene.joints.springs.items():
         if spring is law:

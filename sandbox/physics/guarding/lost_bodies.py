@@ -25,91 +25,93 @@ Cause = Callable[[int], tuple[Message, float | None]]
 class FreeFallWatch:
     """Watches bodies under uniform gravity alone, without contacts or joints.
 
-    `good` is the last state that passed the checks. `doubts` and `trusts` are unused here: a run
-    that it stops cannot go on.
+    `last_good` is the last state that passed the checks. `is_doubtful` and `ignores_doubts` are
+    unused here: a run that it stops cannot go on.
     """
 
     def __init__(self, scene: Scene, stepping: Stepping, start: Snapshot) -> None:
         self._names, self._stepping = list(scene.bodies), stepping
-        self.good = self._last = start
-        self.doubts = self.trusts = False
+        self.last_good = self._last = start
+        self.is_doubtful = self.ignores_doubts = False
         kinetic = kinetic_energy(scene.mass, scene.moment, start)
-        stored = float(scene.gravity.potential_energy(start).sum()) if scene.gravity else 0.0
-        if not isfinite(float(kinetic.sum()) + stored):
-            refuse_beyond(self._names, int(np.argmax(kinetic)), start, stepping.rate)
+        potential = float(scene.gravity.potential_energy(start).sum()) if scene.gravity else 0.0
+        if not isfinite(float(kinetic.sum()) + potential):
+            refuse_infinite_energy(self._names, int(np.argmax(kinetic)), start, stepping.rate)
 
-    def look(
+    def check(
         self,
         now: Snapshot,
         contacts: Contacts,  # noqa: ARG002 (there are none)
-        before: Array,  # noqa: ARG002 (not needed)
+        velocity: Array,  # noqa: ARG002 (not needed)
         *,
         disturbed: bool,  # noqa: ARG002
         cut: bool = False,  # noqa: ARG002
     ) -> None:
-        """Check an observation; see `Watchdog.look`."""
-        self.good = self._last
-        if not is_sound(now):
-            refuse_lost(self._names, now, self._stepping.rate, self._cause, _unknown)
+        """Check an observation; see `Watchdog.check`."""
+        self.last_good = self._last
+        if not is_finite(now):
+            refuse_non_finite(self._names, now, self._stepping.rate, self._cause, _unknown)
         self._last = now
 
     def _cause(self, _row: int) -> tuple[Message, float | None]:
         if self._stepping.is_stock:
-            return gives_some(self._stepping.scheme), None
+            return energy_from_scheme(self._stepping.scheme), None
         return NOTHING, MARGIN * self._stepping.rate
 
 
-def gives_some(scheme: str) -> Message:
+def energy_from_scheme(scheme: str) -> Message:
     """Return the cause of energy growth with a textbook scheme."""
     return Message(": the scheme '{scheme}' adds energy in every step", scheme=scheme)
 
 
-def is_sound(now: Snapshot) -> bool:
+def is_finite(now: Snapshot) -> bool:
     """Return whether positions and velocities, and their squares, are finite numbers."""
     in_plane = now.position.ravel(), now.velocity.ravel()
     values = np.concatenate((*in_plane, now.angle, now.angular_velocity))
     return isfinite(values.dot(values))  # a sum of squares is finite only if all are
 
 
-def refuse_lost(
-    names: Sequence[str], now: Snapshot, rate: float, gone_by: Cause, beyond_by: Cause
+def refuse_non_finite(
+    names: Sequence[str], now: Snapshot, rate: float, position_cause: Cause, energy_cause: Cause
 ) -> None:
     """Stop if a body's position or its energy is no longer finite.
 
-    `now` is a state for which `is_sound` is false; `gone_by` and `beyond_by` return the cause of a
-    lost position, and of an infinite energy. Raises `SimulationError` if so.
+    `now` is a state for which `is_finite` is false; `position_cause` and `energy_cause` return the
+    cause of a lost position, and of an infinite energy. Raises `SimulationError` if so.
     """
     rows = np.column_stack((now.position, now.velocity, now.angle, now.angular_velocity))
-    gone, lost = (~np.isfinite(part).all(axis=1) for part in (rows, rows * rows))
-    if gone.any():
-        row = int(gone.argmax())
-        cause, needed = gone_by(row)
+    non_finite, infinite = (~np.isfinite(part).all(axis=1) for part in (rows, rows * rows))
+    if non_finite.any():
+        row = int(non_finite.argmax())
+        cause, required_rate = position_cause(row)
         reason = Message(
             "the position of '{name}' is no longer finite{cause}", name=names[row], cause=cause
         )
-        stop(names[row], now, reason, needed, rate)
-    if lost.any():
-        refuse_beyond(names, int(lost.argmax()), now, rate, beyond_by)
+        stop_run(names[row], now, reason, required_rate, rate)
+    if infinite.any():
+        refuse_infinite_energy(names, int(infinite.argmax()), now, rate, energy_cause)
 
 
 def _unknown(_row: int) -> tuple[Message, float | None]:
     return NOTHING, None
 
 
-def refuse_beyond(
+def refuse_infinite_energy(
     names: Sequence[str], row: int, now: Snapshot, rate: float, cause_of: Cause = _unknown
 ) -> NoReturn:
-    """Stop because a body's energy is not finite; see `refuse_lost`."""
-    cause, needed = cause_of(row)
+    """Stop because a body's energy is not finite; see `refuse_non_finite`."""
+    cause, required_rate = cause_of(row)
     reason = Message(
         "'{name}' is so fast, so far away or so heavy that its energy is not finite{cause}",
         name=names[row],
         cause=cause,
     )
-    stop(names[row], now, reason, needed, rate)
+    stop_run(names[row], now, reason, required_rate, rate)
 
 
-def stop(name: str, now: Snapshot, reason: Message, needed: float | None, rate: float) -> NoReturn:
+def stop_run(
+    name: str, now: Snapshot, reason: Message, required_rate: float | None, rate: float
+) -> NoReturn:
     """Stop for a reason, and advise the rate that should hold, if known [Hz]."""
-    hint = NOTHING if needed is None else way_out(needed, rate)
-    raise SimulationError(name, float(now.t), reason, needed, hint=hint)
+    hint = NOTHING if required_rate is None else way_out(required_rate, rate)
+    raise SimulationError(name, float(now.t), reason, required_rate, hint=hint)

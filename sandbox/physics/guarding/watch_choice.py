@@ -16,38 +16,38 @@ if TYPE_CHECKING:
 class Watch(Protocol):
     """Checks observations, and changes nothing; for the attributes see `Watchdog`."""
 
-    doubts: bool
-    trusts: bool
+    is_doubtful: bool
+    ignores_doubts: bool
 
     @property
-    def good(self) -> Snapshot:
+    def last_good(self) -> Snapshot:
         """The last state that passed the checks."""
 
-    def look(
+    def check(
         self,
         now: Snapshot,
         contacts: Contacts,
-        before: Array,
+        velocity: Array,
         *,
         disturbed: bool,
         cut: bool = False,
     ) -> None:
-        """Check an observation; see `Watchdog.look`."""
+        """Check an observation; see `Watchdog.check`."""
 
 
-def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array) -> Watch:
+def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, velocity: Array) -> Watch:
     """Make the watch over a run from a state on, and check that state; see `Watchdog`.
 
     Raises `SimulationError` if the state fails the checks.
     """
-    scene, touching = run.scene, run.level.effects.contact is not None
+    scene, has_contacts = run.scene, run.level.effects.contact is not None
     watch: Watch
     with np.errstate(all="ignore"):  # the watch reports non-finite values by name
-        if touching or scene.laws or scene.turns or run.level.joints:
+        if has_contacts or scene.laws or scene.rotations or run.level.joints:
             from sandbox.physics.guarding.watchdog import Watchdog  # few levels go without
 
             watch = Watchdog(run, now, contacts)
         else:
             watch = FreeFallWatch(scene, run.stepping, now)
-        watch.look(now, contacts, begun, disturbed=True)
+        watch.check(now, contacts, velocity, disturbed=True)
     return watch

@@ -19,15 +19,20 @@ from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.space_arrays import Contacts, Integers
 from sandbox.physics.guarding.body_thickness import thickness
 from sandbox.physics.guarding.energy_audit import DrivenAudit, PassiveAudit
-from sandbox.physics.guarding.least_step_rate import RateBound, called, slowing, steepness
-from sandbox.physics.guarding.lost_bodies import (
-    gives_some,
-    is_sound,
-    refuse_beyond,
-    refuse_lost,
-    stop,
+from sandbox.physics.guarding.least_step_rate import (
+    RateBound,
+    damping_bounds,
+    law_in_words,
+    stiffness_bounds,
 )
-from sandbox.physics.scene.stability_limits import MARGIN, limit
+from sandbox.physics.guarding.lost_bodies import (
+    energy_from_scheme,
+    is_finite,
+    refuse_infinite_energy,
+    refuse_non_finite,
+    stop_run,
+)
+from sandbox.physics.scene.stability_limits import MARGIN, stability_limit
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
@@ -69,126 +74,138 @@ NUDGE = 1e-6
 class Watchdog:
     """Watches a world from its start; n bodies.
 
-    `start` and `contacts` are those at the start of the `run`. `good` is the last state that passed
-    the checks. `doubts` tells whether it stopped a run that could go on but cannot be trusted,
-    because of an overlap, a joint error, or unexplained energy. `trusts` tells whether it lets such
-    runs go on: it then stops only runs that are lost, or too large for a step.
+    `start` and `contacts` are those at the start of the `run`. `last_good` is the last state that
+    passed the checks. `is_doubtful` tells whether it stopped a run that could go on but cannot be
+    trusted, because of an overlap, a joint error, or unexplained energy. `ignores_doubts` tells
+    whether it lets such runs go on: it then stops only runs that are lost, or too large for a step.
     """
 
     def __init__(self, run: Recorded, start: Snapshot, contacts: Contacts) -> None:
         level, stepping, scene = run.level, run.stepping, run.scene
         self._scene, self._names, self._rate = scene, list(scene.bodies), stepping.rate
-        self._strict, self._scheme = not stepping.is_stock, stepping.scheme
+        self._is_strict, self._scheme = not stepping.is_stock, stepping.scheme
         joined = scene.joints.together is not None and level.effects.contact is not None
-        self._turns = joined and scene.direct is None
+        self._solves_in_turns = joined and scene.direct is None
         self._most_pairs = most_pairs(stepping.iterations, direct=scene.direct is not None)
-        self._thick = np.where(
+        self._thickness = np.where(
             scene.mass > 0, [thickness(body, run.values) for body in level.bodies.values()], inf
         )
-        self._allowed: tuple[Integers | None, Array] = None, self._thick  # allowed overlaps
-        self._apart = float(self._depth(contacts).max(initial=0.0)) < LITTLE
+        self._allowed: tuple[Integers | None, Array] = None, self._thickness  # allowed overlaps
+        self._starts_separated = float(self._depth(contacts).max(initial=0.0)) < LITTLE
         self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
-        swing = self._swings(start) if self._strict else DIVERGED
-        thick = np.where(np.isfinite(self._thick), self._thick, 0.0)
-        self._gains = PassiveAudit(scene, start, thick, swing, stepping.rate)
-        self._closed = not ledger_accounts.works(level)
-        self._audit = None
-        if not stepping.is_composed and not self._closed:
-            self._audit = DrivenAudit(run, self._gains.least, swing, not self._strict)
-        self._deep: dict[tuple[int, int], Array] = {}  # normals of deep overlaps, by pair
+        oscillation = self._oscillation(start) if self._is_strict else DIVERGED
+        finite_thickness = np.where(np.isfinite(self._thickness), self._thickness, 0.0)
+        self._passive_audit = PassiveAudit(
+            scene, start, finite_thickness, oscillation, stepping.rate
+        )
+        self._has_no_input = not ledger_accounts.works(level)
+        self._driven_audit = None
+        if not stepping.is_composed and not self._has_no_input:
+            self._driven_audit = DrivenAudit(
+                run, self._passive_audit.negligible, oscillation, not self._is_strict
+            )
+        self._deep_normals: dict[tuple[int, int], Array] = {}  # normals of deep overlaps, by pair
         self._recent = [start]
-        self.good = start
-        self.doubts = self.trusts = False
-        if not isfinite(self._gains.energies(start)[0]):
+        self.last_good = start
+        self.is_doubtful = self.ignores_doubts = False
+        if not isfinite(self._passive_audit.energies(start)[0]):
             self._refuse_beyond(
                 int(np.argmax(kinetic_energy(scene.mass, scene.moment, start))), start
             )
 
-    def look(
+    def check(
         self,
         now: Snapshot,
         contacts: Contacts,
-        before: Array,
+        velocity: Array,
         *,
         disturbed: bool,
         cut: bool = False,
     ) -> None:
         """Check an observation.
 
-        `before`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s]. A hand
-        has given energy to the scene if `disturbed`; impacts have cut the last drift if `cut`.
-        Raises `SimulationError` if a body is lost or overlaps too much, a joint has parted, or
-        energy is unexplained.
+        `velocity`, (n, 3), are the velocities at the beginning of the last kick [m/s,
+        rad/s]. A hand has given energy to the scene if `disturbed`; impacts have cut the last drift
+        if `cut`. Raises `SimulationError` if a body is lost or overlaps too much, a joint has
+        parted, or energy is unexplained.
         """
-        self.good = self._recent[-1]
-        self._look_for_lost(now)
+        self.last_good = self._recent[-1]
+        self._check_finite(now)
         if len(contacts.bodies) > self._most_pairs:
             self._refuse_crowd(now, contacts)
-        if self.trusts:
+        if self.ignores_doubts:
             self._recent = [now]
             return
-        if self._strict and len(contacts.bodies):
-            self._look_for_sunk(now, contacts)
+        if self._is_strict and len(contacts.bodies):
+            self._check_overlaps(now, contacts)
         direct = self._scene.direct
-        led = before if direct is None or direct.drifts.led is None else direct.drifts.led
-        self._gains.follow(now, contacts, None if cut else led)
-        if self._audit and not disturbed:
-            self._refuse_if(now, self._audit.look(now, before, self._gains.lifted))
+        drift_velocity = (
+            velocity if direct is None or direct.drifts.led is None else direct.drifts.led
+        )
+        self._passive_audit.add_correction(now, contacts, None if cut else drift_velocity)
+        if self._driven_audit and not disturbed:
+            self._refuse_if(
+                now,
+                self._driven_audit.unexplained_energy(
+                    now, velocity, self._passive_audit.correction
+                ),
+            )
         self._recent.append(now)
         if len(self._recent) > EVERY:
-            self._look_closely(now, disturbed=disturbed)
+            self._check_energy_and_joints(now, disturbed=disturbed)
 
-    def _look_closely(self, now: Snapshot, *, disturbed: bool) -> None:
+    def _check_energy_and_joints(self, now: Snapshot, *, disturbed: bool) -> None:
         """Do the expensive checks."""
-        self.good = self._recent[0]
-        if self._strict:
-            self._look_for_parted(now)
-        if self._closed and not disturbed:
-            self._refuse_if(now, self._gains.look(now))
+        self.last_good = self._recent[0]
+        if self._is_strict:
+            self._check_joint_gaps(now)
+        if self._has_no_input and not disturbed:
+            self._refuse_if(now, self._passive_audit.unexplained_energy(now))
         self._recent = self._recent[-1:]
 
-    def _look_for_lost(self, now: Snapshot) -> None:
-        if not is_sound(now):
-            refuse_lost(
+    def _check_finite(self, now: Snapshot) -> None:
+        if not is_finite(now):
+            refuse_non_finite(
                 self._names, now, self._rate,
-                lambda row: self._without_value(row, now) or self._cause(row), self._by,
+                lambda row: self._non_finite_law(row, now) or self._cause(row),
+                self._cause_if_known,
             )  # fmt: skip
 
-    def _by(self, row: int) -> tuple[Message, float | None]:
+    def _cause_if_known(self, row: int) -> tuple[Message, float | None]:
         return self._known_cause(row) or (NOTHING, None)
 
-    def _without_value(self, row: int, now: Snapshot) -> tuple[Message, None] | None:
+    def _non_finite_law(self, row: int, now: Snapshot) -> tuple[Message, None] | None:
         """Return the law that has no finite value at the present position or time of a body."""
-        before = self._recent[-1]
-        place = np.where(np.isfinite(now.position), now.position, before.position)
-        motion = Instant.of(before)._replace(t=now.t, position=place)
+        last = self._recent[-1]
+        position = np.where(np.isfinite(now.position), now.position, last.position)
+        motion = Instant.of(last)._replace(t=now.t, position=position)
         for law in self._scene.laws:
-            wrench = np.zeros((len(place), 3))
+            wrench = np.zeros((len(position), 3))
             law.add(motion, wrench)
             if not np.isfinite(wrench[row]).all():
-                law_name = called(self._scene, law)
+                law_name = law_in_words(self._scene, law)
                 return Message(": {law} no longer has a finite value", law=law_name), None
         return None
 
     def _refuse_beyond(self, row: int, now: Snapshot) -> NoReturn:
         """Stop because a body's energy is not finite."""
-        refuse_beyond(self._names, row, now, self._rate, self._by)
+        refuse_infinite_energy(self._names, row, now, self._rate, self._cause_if_known)
 
     def _stop(self, row: int, now: Snapshot, reason: Message, rate: float | None) -> NoReturn:
-        stop(self._names[row], now, reason, rate, self._rate)
+        stop_run(self._names[row], now, reason, rate, self._rate)
 
     def _refuse_crowd(self, now: Snapshot, contacts: Contacts) -> NoReturn:
         """Stop because too many bodies touch for a step."""
         row = int(np.bincount(contacts.bodies.ravel()).argmax())
         self._stop(row, now, crowded(self._names[row], self._most_pairs), None)
 
-    def _look_for_sunk(self, now: Snapshot, contacts: Contacts) -> None:
+    def _check_overlaps(self, now: Snapshot, contacts: Contacts) -> None:
         depth = self._depth(contacts)
         worst = int(depth.argmax())
         if depth[worst] > self._deepest:
             deep = float(contacts.depth[worst])
             self._refuse_sunk(now, contacts.bodies[worst].tolist(), deep)
-        was_deep, self._deep = self._deep, {}
+        was_deep, self._deep_normals = self._deep_normals, {}
         if self._deepest > 1 or not (was_deep or depth[worst] > HALFWAY):
             return
         for pair, direction, deep in zip(
@@ -198,12 +215,12 @@ class Watchdog:
             if before is not None and before @ direction < 0:
                 self._refuse_sunk(now, pair)
             if deep:
-                self._deep[pair[0], pair[1]] = direction
+                self._deep_normals[pair[0], pair[1]] = direction
 
     def _refuse_sunk(self, now: Snapshot, pair: list[int], deep: float | None = None) -> NoReturn:
         """Stop because the thinner of two bodies overlaps the other too much, or is past it."""
-        self.doubts = True
-        a, b = sorted(pair, key=lambda row: float(self._thick[row]))
+        self.is_doubtful = True
+        a, b = sorted(pair, key=lambda row: float(self._thickness[row]))
         thin, other = self._names[a], self._names[b]
         reason = Message("'{thin}' is pressed through '{other}'", thin=thin, other=other)
         if deep is not None:
@@ -214,31 +231,31 @@ class Watchdog:
                 deep=deep,
             )
         speed = np.hypot(*(self._recent[-1].velocity[a] - self._recent[-1].velocity[b]))
-        way = DEEP * self._thick[a]
-        if speed > way * self._rate:
-            needed = 2 * speed / way
+        allowed = DEEP * self._thickness[a]
+        if speed > allowed * self._rate:
+            required_rate = 2 * speed / allowed
             cause = Message(": at {speed:.3g} m/s a step is too long for it", speed=speed)
         else:
-            needed = 4 * self._rate
+            required_rate = 4 * self._rate
             cause = Message(": the load on it is too much for the solver")
         reason = Message("{reason}{cause}", reason=reason, cause=cause)
-        self._stop(a, now, reason, needed)
+        self._stop(a, now, reason, required_rate)
 
     def _depth(self, contacts: Contacts) -> Array:
         """Return the overlaps of pairs as shares of those allowed: (k,)."""
         if contacts.bodies is not self._allowed[0]:  # the same array in most steps
-            allowed = DEEP * self._thick[contacts.bodies].min(axis=1)
+            allowed = DEEP * self._thickness[contacts.bodies].min(axis=1)
             self._allowed = contacts.bodies, allowed
         return np.asarray(contacts.depth / self._allowed[1])
 
-    def _look_for_parted(self, now: Snapshot) -> None:
-        thin = self._thick.min(initial=inf)
+    def _check_joint_gaps(self, now: Snapshot) -> None:
+        thinnest = self._thickness.min(initial=inf)
         name, gap = self._scene.joints.parting()
-        if gap > PARTED * thin:
-            self.doubts = True
+        if gap > PARTED * thinnest:
+            self.is_doubtful = True
             reason = Message("the joint '{name}' has parted by {gap:.3g} m", name=name, gap=gap)
             hint = Message("let bodies start apart, or give 'contact' a 'correction' of 0")
-            if self._turns and self._apart:
+            if self._solves_in_turns and self._starts_separated:
                 cause = TURNS
                 hint = Message("{hint}, or the 'solver' \"direct\"", hint=hint)
             else:
@@ -256,7 +273,7 @@ class Watchdog:
         row = int(np.argmax(kinetic_energy(self._scene.mass, self._scene.moment, now)))
         if not isfinite(gained):
             self._refuse_beyond(row, now)
-        self.doubts = True
+        self.is_doubtful = True
         name = self._names[row]
         cause, rate = self._cause(row)
         reason = Message(
@@ -267,37 +284,43 @@ class Watchdog:
         )
         self._stop(row, now, reason, rate)
 
-    def _swings(self, start: Snapshot) -> float:
+    def _oscillation(self, start: Snapshot) -> float:
         """Return the oscillation of a spring's energy with leapfrog: 1 / (1 − (ω dt / 2)²)."""
-        needed, _ = limit(self._scene.joints.springs, self._scene.inverse_mass, start.angle)
-        return 1 / max(1 - (needed / self._rate) ** 2, TIGHTEST)
+        required_rate, _ = stability_limit(
+            self._scene.joints.springs, self._scene.inverse_mass, start.angle
+        )
+        return 1 / max(1 - (required_rate / self._rate) ** 2, TIGHTEST)
 
     def _cause(self, row: int) -> tuple[Message, float | None]:
         """Return the force that was too strong for a body, and the rate that it needs [Hz]."""
-        if not self._strict:
-            return gives_some(self._scheme), None
+        if not self._is_strict:
+            return energy_from_scheme(self._scheme), None
         if known := self._known_cause(row):
             return known
-        cause = Message(": {turns}", turns=TURNS) if self._turns else NOTHING
+        cause = Message(": {turns}", turns=TURNS) if self._solves_in_turns else NOTHING
         return cause, MARGIN * self._rate
 
     def _known_cause(self, row: int) -> tuple[Message, float] | None:
-        worst = max(self._blamed(row), default=None)
+        worst = max(self._exceeded_bounds(row), default=None)
         if worst is None:
             return None
-        needed = MARGIN * worst.rate
-        return Message(": {subject} changes too fast for a step", subject=worst.subject), needed
+        required_rate = MARGIN * worst.rate
+        return Message(
+            ": {subject} changes too fast for a step", subject=worst.subject
+        ), required_rate
 
-    def _blamed(self, row: int) -> list[RateBound]:
+    def _exceeded_bounds(self, row: int) -> list[RateBound]:
         """Return the needs above the present rate, including a margin.
 
         Forces that depend on positions are checked in all recent states. Forces that grow with
         velocities have grown because of the failure itself: they are checked in the last good
         state, at the time of the failure.
         """
-        nudge = NUDGE * min(float(self._thick[row]), 1.0)
-        found = [n for then in self._recent for n in steepness(self._scene, row, then, nudge)]
-        well, t = self._recent[0], self._recent[-1].t
-        motion = Instant.of(well)._replace(t=t)
-        found += slowing(self._scene, row, motion)
-        return [need for need in found if MARGIN * need.rate > self._rate]
+        nudge = NUDGE * min(float(self._thickness[row]), 1.0)
+        bounds = [
+            n for state in self._recent for n in stiffness_bounds(self._scene, row, state, nudge)
+        ]
+        last_good, t = self._recent[0], self._recent[-1].t
+        motion = Instant.of(last_good)._replace(t=t)
+        bounds += damping_bounds(self._scene, row, motion)
+        return [need for need in bounds if MARGIN * need.rate > self._rate]

@@ -67,9 +67,9 @@ class Joints:
 
     def length(self, name: str, motion: Motion) -> Array:
         """Return the length of a joint from end to end, without the part that is wound [m]."""
-        from sandbox.physics.state.anchor import length
+        from sandbox.physics.state.anchor import path_length
 
-        distance = length(self.paths[name], motion)
+        distance = path_length(self.paths[name], motion)
         radius = self.radii.get(name)
         return distance if radius is None else np.sqrt(distance**2 - radius**2)
 

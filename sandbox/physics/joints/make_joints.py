@@ -14,7 +14,7 @@ import pymunk
 
 from sandbox.model.base import Model
 from sandbox.model.contact_solver_choice import is_alone
-from sandbox.model.events import beside_bouncing, bouncing, tied
+from sandbox.model.events import rebounding_stops, stops_without_rebound, tied_joints
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joint_ends_at_start import span
 from sandbox.model.joints import (
@@ -109,9 +109,9 @@ class _Assembly:
             touches=touches,
             weld=self._weld_where_they_are,
         )
-        self._open = tied(level.events)
-        self._bounce = [name for name, _ in bouncing(level.joints)]
-        self._bounce += beside_bouncing(level.joints, level.events)
+        self._open = tied_joints(level.events)
+        self._bounce = [name for name, _ in rebounding_stops(level.joints)]
+        self._bounce += stops_without_rebound(level.joints, level.events)
         if self._open:
             self._joints.latches = Latches(self._open, self._tie)
         self._origin = _origin(bodies)

@@ -11,7 +11,7 @@ import pymunk
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
 from sandbox.model.loading import digest
-from sandbox.model.quantities import headed
+from sandbox.model.quantities import column_heading
 from sandbox.physics.measuring.recording import Trace
 from sandbox.version import __version__
 
@@ -42,7 +42,7 @@ def to_csv(
     """
     chosen = trace.columns if names is None else names
     columns = [name for name in dict.fromkeys(chosen) if name != "t"]
-    header = ["t [s]", *(headed(name, trace.units[name]) for name in columns)]
+    header = ["t [s]", *(column_heading(name, trace.units[name]) for name in columns)]
     rows = zip(*(values.tolist() for values in _arrays(trace, columns)), strict=True)
     lines = [
         *(f"# {key}: {brief(text, len(text))}" for key, text in _provenance(trace, source, change)),

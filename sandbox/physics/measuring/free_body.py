@@ -41,7 +41,7 @@ class AppliedForce(NamedTuple):
         return cls(name, by, force, at, torque - (arm[0] * y - arm[1] * x))
 
     @property
-    def size(self) -> float:
+    def magnitude(self) -> float:
         """Its magnitude [N]."""
         return hypot(*self.force)
 
@@ -73,11 +73,11 @@ class FreeBody:
     acceleration: XY
     angular_acceleration: float
     """The accelerations over the same kick as the forces [m/s², rad/s²]."""
-    along: tuple[XY, ...]
+    surface_directions: tuple[XY, ...]
     """A unit vector along each surface that presses on it, the hardest first."""
     struck: bool
     """Whether an impact is among the forces."""
-    closed: bool
+    is_completed: bool
     """Whether one force was computed from the others, so that the sum proves nothing."""
 
     @property
@@ -89,7 +89,7 @@ class FreeBody:
         )
 
     @property
-    def gain(self) -> XY:
+    def mass_times_acceleration(self) -> XY:
         """Mass times acceleration [N]."""
         return self.mass * self.acceleration[0], self.mass * self.acceleration[1]
 
@@ -101,10 +101,10 @@ class FreeBody:
     @property
     def largest(self) -> float:
         """The magnitude of the largest force [N]."""
-        return max((acting.size for acting in self.forces), default=0.0)
+        return max((acting.magnitude for acting in self.forces), default=0.0)
 
     @property
-    def off(self) -> float:
+    def imbalance(self) -> float:
         """The magnitude of the sum less mass times acceleration [N]."""
-        (x, y), (u, v) = self.net, self.gain
+        (x, y), (u, v) = self.net, self.mass_times_acceleration
         return hypot(x - u, y - v)

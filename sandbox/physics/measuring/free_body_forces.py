@@ -32,7 +32,7 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.contacts.coefficients.static_friction import BreakawayImpulse
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.forces.declared_laws import one_by_one
+from sandbox.physics.forces.declared_laws import laws_by_entry
 from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.joints.joint_forces import pulls_on
 from sandbox.physics.measuring.contact_forces import ContactForce, loosened, presses, settled
@@ -52,11 +52,17 @@ class FreeBodies:
         self._world, self._scene, level = world, world.scene, world.level
         self._names = list(world.scene.bodies)
         scene = world.scene
-        given = LawInputs(
-            level, world.values, self._names, scene.mass, scene.share, world.dt, scene.switches
+        inputs = LawInputs(
+            level,
+            world.values,
+            self._names,
+            scene.mass,
+            scene.mass_fraction,
+            world.dt,
+            scene.switches,
         )
-        self._laws = list(one_by_one(level.effects, given))
-        self._own = {
+        self._laws = list(laws_by_entry(level.effects, inputs))
+        self._pymunk_joints = {
             name: tuple(bodies_of(joint))
             for name, joint in level.joints.items()
             if not (is_exact(joint) or joint.kind.force)
@@ -70,102 +76,116 @@ class FreeBodies:
         """
         row = self._names.index(body)
         kick = self._kick(row)
-        if not kick.mass or not np.isfinite(kick.rates).all():
+        if not kick.mass or not np.isfinite(kick.acceleration).all():
             return None
-        known = [acting for acting in self._known(kick) if acting.size or acting.couple]
-        touching = self._pressing(kick, known)
-        for press in touching:
+        known = [acting for acting in self._known_forces(kick) if acting.magnitude or acting.couple]
+        contact_forces = self._contact_forces(kick, known)
+        for press in contact_forces:
             known += press.acting(self._names[press.row], kick.center)
-        rest = self._rest(body, kick, known)
-        x, y, spin = kick.rates.tolist()
+        remaining = self._remaining_force(body, kick, known)
+        x, y, spin = kick.acceleration.tolist()
         direct = self._scene.direct
         jerked = direct is not None and bool(direct.drifts.jerked[row])
         struck = jerked or kick.struck or any(acting.name == IMPACT for acting in known)
         return FreeBody(
             body=body, t=kick.step.t, mass=kick.mass, moment=kick.moment, center=kick.center,
-            forces=(*known, *rest), acceleration=(x, y), angular_acceleration=spin,
-            along=_along(touching), struck=struck, closed=bool(rest),
+            forces=(*known, *remaining), acceleration=(x, y), angular_acceleration=spin,
+            surface_directions=_surface_directions(contact_forces), struck=struck,
+            is_completed=bool(remaining),
         )  # fmt: skip
 
     def _kick(self, row: int) -> "_Kick":
         scene, step = self._scene, self._world.last
-        seen = step.seen or Instant.of(step.snapshot)
-        share = float(np.broadcast_to(scene.share(seen.t), len(self._names))[row])
+        law_motion = step.law_motion or Instant.of(step.snapshot)
+        mass_fraction = float(
+            np.broadcast_to(scene.mass_fraction(law_motion.t), len(self._names))[row]
+        )
         x, y = step.snapshot.position[row].tolist()
-        rates = _rates(step, row, held=scene.joints.together is not None)
-        mass, moment = float(scene.mass[row]) * share, float(scene.moment[row]) * share
-        return _Kick(row, step, seen, (x, y), mass, moment, rates)
+        rates = _accelerations(step, row, is_constrained=scene.joints.together is not None)
+        mass, moment = (
+            float(scene.mass[row]) * mass_fraction,
+            float(scene.moment[row]) * mass_fraction,
+        )
+        return _Kick(row, step, law_motion, (x, y), mass, moment, rates)
 
-    def _known(self, kick: "_Kick") -> Iterator[AppliedForce]:
+    def _known_forces(self, kick: "_Kick") -> Iterator[AppliedForce]:
         """Yield the forces of gravity, laws, joints and sequential impacts."""
         scene, row, center = self._scene, kick.row, kick.center
         if gravity := scene.gravity:
             x, y = gravity.acceleration
-            yield AppliedForce(gravity.effect.called, "", (kick.mass * x, kick.mass * y), center)
+            yield AppliedForce(
+                gravity.effect.shown_force_name, "", (kick.mass * x, kick.mass * y), center
+            )
         for entry, law in self._laws:
             at = getattr(entry, "at", None)
-            arm = _turned(evaluate(at, self._world.values), kick) if at else None
-            own = getattr(entry, "name", None) or ""
-            yield self._by_law(kick, law, arm)._replace(by=own)
-        if (turned := kick.step.turned) is not None:
-            x, y = (kick.mass * turned[row]).tolist()
-            name = ", ".join(turn.effect.called for turn in scene.turns)
+            arm = _lever_arm(evaluate(at, self._world.values), kick) if at else None
+            own_name = getattr(entry, "name", None) or ""
+            yield self._by_law(kick, law, arm)._replace(by=own_name)
+        if (turning := kick.step.turning_acceleration) is not None:
+            x, y = (kick.mass * turning[row]).tolist()
+            name = ", ".join(turn.effect.shown_force_name for turn in scene.rotations)
             yield AppliedForce(name, "", (x, y), center)
         for name, spring in scene.joints.springs.items():
-            acting = self._by_law(kick, spring, _arm(spring.ends, kick))
-            yield acting._replace(name=self._called(name), by=name)
+            acting = self._by_law(kick, spring, _joint_arm(spring.ends, kick))
+            yield acting._replace(name=self._force_name(name), by=name)
         for joint, (x, y, torque) in pulls_on(scene.joints, row, len(self._names)):
-            wound = joint in scene.joints.radii  # a string leaves its wheel at the rim
-            arm = None if wound else _arm(scene.joints.paths.get(joint, ()), kick)
-            yield AppliedForce.of(self._called(joint), joint, (x, y), torque, center, arm)
-        if (jump := kick.step.jump) is not None:
+            is_wound = joint in scene.joints.radii  # a string leaves its wheel at the rim
+            arm = None if is_wound else _joint_arm(scene.joints.paths.get(joint, ()), kick)
+            yield AppliedForce.of(self._force_name(joint), joint, (x, y), torque, center, arm)
+        if (jump := kick.step.velocity_jump) is not None:
             x, y, spin = (jump[row] / kick.length).tolist()
             force = kick.mass * x, kick.mass * y
             yield AppliedForce.of(IMPACT, "", force, kick.moment * spin, center, None)
 
     def _by_law(self, kick: "_Kick", law: Law, arm: XY | None) -> AppliedForce:
         wrench = np.zeros((len(self._names), 3))
-        law.add(kick.seen, wrench)
+        law.add(kick.law_motion, wrench)
         x, y, torque = wrench[kick.row].tolist()
-        return AppliedForce.of(law.effect.called, "", (x, y), torque, kick.center, arm)
+        return AppliedForce.of(law.effect.shown_force_name, "", (x, y), torque, kick.center, arm)
 
-    def _called(self, joint: str) -> str:
+    def _force_name(self, joint: str) -> str:
         """Return the name of a joint's force; the joint of bodies that stuck has no name."""
         known = self._world.level.joints.get(joint)
-        return known.kind.pull if known else "reaction"
+        return known.kind.force_name if known else "reaction"
 
-    def _pressing(self, kick: "_Kick", known: Sequence[AppliedForce]) -> Sequence[ContactForce]:
+    def _contact_forces(
+        self, kick: "_Kick", known: Sequence[AppliedForce]
+    ) -> Sequence[ContactForce]:
         direct, contacts = self._scene.direct, kick.contacts
         wrenches = direct.wrenches(kick.row) if direct else None
         center = np.array(kick.center)
-        pressing = tuple(presses(contacts, wrenches, kick.row, center, kick.length))
-        found = loosened(pressing, self._freed(kick.row), kick.row, center, kick.length)
+        raw = tuple(presses(contacts, wrenches, kick.row, center, kick.length))
+        loosened_forces = loosened(
+            raw, self._breakaway_impulses(kick.row), kick.row, center, kick.length
+        )
         if not kick.moment:
-            return found
+            return loosened_forces
         torque = sum(acting.torque(kick.center) for acting in known)
-        torque += sum(float(press.normal[2] + press.friction[2]) for press in found)
-        return settled(found, kick.moment * float(kick.rates[2]) - torque)
+        torque += sum(float(press.normal[2] + press.friction[2]) for press in loosened_forces)
+        return settled(loosened_forces, kick.moment * float(kick.acceleration[2]) - torque)
 
-    def _freed(self, row: int) -> Iterator[tuple[int, BreakawayImpulse]]:
+    def _breakaway_impulses(self, row: int) -> Iterator[tuple[int, BreakawayImpulse]]:
         """Yield what contacts lost that broke loose, each with the index of the other body."""
         for pair, stick in self._scene.sticking.items():
             if row in pair:
                 (other,) = pair - {row}
                 yield from ((other, lost) for lost in stick.freed.values())
 
-    def _rest(
+    def _remaining_force(
         self, body: str, kick: "_Kick", known: Sequence[AppliedForce]
     ) -> Sequence[AppliedForce]:
         """Return the remaining force, of pymunk's own joints and a hand."""
-        pulling = [name for name, bodies in self._own.items() if body in bodies]
-        held = kick.step.hold is not None and kick.step.hold[0] == kick.row
-        if not (pulling or held):
+        joints = [name for name, bodies in self._pymunk_joints.items() if body in bodies]
+        is_held = kick.step.hold is not None and kick.step.hold[0] == kick.row
+        if not (joints or is_held):
             return ()
-        x, y = (kick.mass * kick.rates[:2]).tolist()
-        rest = x - sum(a.force[0] for a in known), y - sum(a.force[1] for a in known)
-        torque = kick.moment * float(kick.rates[2]) - sum(a.torque(kick.center) for a in known)
-        name = " and ".join([*([HAND] if held else []), *(["reaction"] if pulling else [])])
-        return (AppliedForce.of(name, ", ".join(pulling), rest, torque, kick.center, None),)
+        x, y = (kick.mass * kick.acceleration[:2]).tolist()
+        remaining = x - sum(a.force[0] for a in known), y - sum(a.force[1] for a in known)
+        torque = kick.moment * float(kick.acceleration[2]) - sum(
+            a.torque(kick.center) for a in known
+        )
+        name = " and ".join([*([HAND] if is_held else []), *(["reaction"] if joints else [])])
+        return (AppliedForce.of(name, ", ".join(joints), remaining, torque, kick.center, None),)
 
 
 class _Kick(NamedTuple):
@@ -181,22 +201,22 @@ class _Kick(NamedTuple):
 
     row: int
     step: StepRecord
-    seen: Motion
+    law_motion: Motion
     center: XY
     mass: float
     moment: float
-    rates: Array
+    acceleration: Array
 
     @property
     def length(self) -> float:
         """The length of the kick [s]; the first is half as long as the others."""
-        whole = self.step.parts[-1].kick
-        return whole / 2 if self.step.after is None else whole
+        full = self.step.parts[-1].kick
+        return full / 2 if self.step.post_kick_velocity is None else full
 
     @property
     def contacts(self) -> Contacts:
         """The contacts of the kick itself, without the impacts that cut the drift before it."""
-        return self.step.contacts.after(self.step.over)
+        return self.step.contacts.without_first(self.step.impact_count)
 
     @property
     def struck(self) -> bool:
@@ -205,30 +225,30 @@ class _Kick(NamedTuple):
         return bool(contacts.first[(contacts.bodies == self.row).any(axis=1)].any())
 
 
-def _rates(step: StepRecord, row: int, *, held: bool) -> Array:
+def _accelerations(step: StepRecord, row: int, *, is_constrained: bool) -> Array:
     """Return the accelerations of a body over the kick, or at the step: (3,) [m/s², rad/s²]."""
-    if step.after is None or (step.composed and held):
+    if step.post_kick_velocity is None or (step.composed and is_constrained):
         now = step.snapshot
         return np.append(now.acceleration[row], now.angular_acceleration[row])
-    return (step.after[row] - step.begun[row]) / step.parts[-1].kick
+    return (step.post_kick_velocity[row] - step.pre_kick_velocity[row]) / step.parts[-1].kick
 
 
-def _turned(point: XY, kick: _Kick) -> XY:
+def _lever_arm(point: XY, kick: _Kick) -> XY:
     """Return the lever arm of a point of the body, along the axes of the plane [m]."""
-    _, arm = Anchor(kick.row, complex(*point)).find(kick.seen)
+    _, arm = Anchor(kick.row, complex(*point)).position_and_arm(kick.law_motion)
     return float(arm.real), float(arm.imag)
 
 
-def _arm(path: Sequence[Anchor], kick: _Kick) -> XY | None:
+def _joint_arm(path: Sequence[Anchor], kick: _Kick) -> XY | None:
     """Return the lever arm at which a joint holds the body [m]; None if not at one point."""
-    held = [anchor for anchor in path if anchor.body == kick.row]
-    if len(held) != 1:
+    anchors = [anchor for anchor in path if anchor.body == kick.row]
+    if len(anchors) != 1:
         return None
-    _, arm = held[0].find(kick.seen)
+    _, arm = anchors[0].position_and_arm(kick.law_motion)
     return float(arm.real), float(arm.imag)
 
 
-def _along(touching: Sequence[ContactForce]) -> tuple[XY, ...]:
+def _surface_directions(touching: Sequence[ContactForce]) -> tuple[XY, ...]:
     """Return the directions along surfaces, that with the largest normal force first."""
     sizes = [(float(np.hypot(*press.normal[:2])), press) for press in touching]
     hardest = sorted((each for each in sizes if each[0]), key=lambda each: -each[0])

@@ -26,8 +26,8 @@ class Outcome:
     measured: float | None
     """The time at which the quantity was furthest beyond its bounds or closest to them, or the time
     of the event [s], and the value then; None if the event has not come."""
-    least: float
-    most: float
+    lower: float
+    upper: float
     """The bounds with the run's parameters; infinite if there is none."""
     standing: Standing
     """`open` while the run can still decide it."""
@@ -41,11 +41,11 @@ class Attempt:
     """The states of all goals: those for the first star, then one for each further star."""
     stars: int
     """The number of stars earned so far."""
-    most: int
+    possible_stars: int
     """The number of stars that there are."""
     complete: bool
     """Whether the run has lasted for the duration of its level."""
-    altered: tuple[str, ...]
+    changed_parameters: tuple[str, ...]
     """The locked parameters that differ from the level's values; if any, no star counts."""
 
     @property
@@ -64,33 +64,33 @@ def attempt(trace: Trace) -> Attempt | None:
     if challenge is None:
         return None
     complete = trace.complete
-    found = tuple(_outcome(goal, trace, complete=complete) for goal in challenge.all_goals)
+    outcomes = tuple(_outcome(goal, trace, complete=complete) for goal in challenge.all_goals)
     first = len(challenge.goals)
-    solved = all(outcome.standing == "met" for outcome in found[:first])
-    further = sum(outcome.standing == "met" for outcome in found[first:])
-    altered = tuple(
+    solved = all(outcome.standing == "met" for outcome in outcomes[:first])
+    further = sum(outcome.standing == "met" for outcome in outcomes[first:])
+    changed_parameters = tuple(
         name
         for name, value in trace.level.defaults.items()
         if name not in challenge.free and trace.values[name] != value
     )
-    stars = 1 + further if solved and not altered else 0
-    return Attempt(found, stars, 1 + len(challenge.stars), complete, altered)
+    stars = 1 + further if solved and not changed_parameters else 0
+    return Attempt(outcomes, stars, 1 + len(challenge.stars), complete, changed_parameters)
 
 
 def _outcome(goal: Goal, trace: Trace, *, complete: bool) -> Outcome:
     unit = trace.units[goal.quantity]
-    least, most = bounds(goal, trace.values)
+    lower, upper = bounds(goal, trace.values)
     found = samples(trace, goal.quantity, goal.at)
     if found is None:
         standing: Standing = "missed" if complete else "open"
-        return Outcome(goal, unit, None, None, least, most, standing)
+        return Outcome(goal, unit, None, None, lower, upper, standing)
     t, measured = found
-    slack = np.minimum(measured - least, most - measured)
+    slack = np.minimum(measured - lower, upper - measured)
     worst = int(np.argmin(np.where(np.isnan(slack), -inf, slack)))
     met = bool(slack[worst] >= 0)
     decided = complete or goal.at is not None or not met
     standing = ("met" if met else "missed") if decided else "open"
-    return Outcome(goal, unit, float(t[worst]), float(measured[worst]), least, most, standing)
+    return Outcome(goal, unit, float(t[worst]), float(measured[worst]), lower, upper, standing)
 
 
 def bounds(goal: Goal, values: Values) -> tuple[float, float]:
@@ -98,9 +98,9 @@ def bounds(goal: Goal, values: Values) -> tuple[float, float]:
     return _bound(goal.above, values, -inf), _bound(goal.below, values, inf)
 
 
-def _bound(bound: Expression | None, values: Values, none: float) -> float:
+def _bound(bound: Expression | None, values: Values, default: float) -> float:
     """Return the value of a bound; not a number if it has none with these parameters."""
     try:
-        return none if bound is None else bound(values)
+        return default if bound is None else bound(values)
     except ExpressionError:
         return nan

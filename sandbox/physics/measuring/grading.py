@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from sandbox.model.events import Passage, crossed
+from sandbox.model.events import Passage, crossing_of
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import Check, ContactEvent, Instant, SeparationEvent
@@ -47,7 +47,7 @@ def grade(trace: Trace) -> tuple[Result, ...]:
     return tuple(grade_check(check, trace) for check in trace.level.checks)
 
 
-def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tuple[float, int]:
+def relative_error(measured: Array, expected: Array, least_scale: float = 0.0) -> tuple[float, int]:
     """Return the largest difference, relative if possible, and its index.
 
     It is relative to the largest expected value, or to a least scale if that is larger. If all
@@ -58,7 +58,7 @@ def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tupl
         difference = np.abs(measured - expected)
     difference = np.where(np.isnan(difference), np.inf, difference)
     worst = int(np.argmax(difference))
-    scale = max(float(np.abs(expected).max()), least)
+    scale = max(float(np.abs(expected).max()), least_scale)
     return float(difference[worst]) / (scale if ZERO < scale < np.inf else 1.0), worst
 
 
@@ -133,8 +133,8 @@ def _began(trace: Trace, at: Instant | None) -> float | None:
 
 
 def _meeting(trace: Trace, at: ContactEvent) -> Meeting | None:
-    met = trace.meetings.get(frozenset(at.bodies), ())
-    return met[at.nth - 1] if len(met) >= at.nth else None
+    meetings = trace.meetings.get(frozenset(at.bodies), ())
+    return meetings[at.nth - 1] if len(meetings) >= at.nth else None
 
 
 def _after_contact(trace: Trace, column: Array, at: ContactEvent) -> tuple[Array, Array] | None:
@@ -166,7 +166,7 @@ def time_of(at: Expression | Passage, trace: Trace) -> float | None:
     if isinstance(at, Expression):
         time = at(trace.values)
         return time if time <= trace.t[-1] * (1 + ROUNDING) else None
-    quantity, value, direction = crossed(at)
+    quantity, value, direction = crossing_of(at)
     column, level = trace.columns[quantity], value(trace.values)
     smooth, impacts = trace.smooth, trace.impacts
     return crossing(trace.t, column, level, direction, smooth=smooth, impacts=impacts)

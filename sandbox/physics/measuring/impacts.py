@@ -60,7 +60,7 @@ def impacts(world: World) -> Impacts | None:
     rows = rows[np.argsort(turn[rows], kind="stable")]
     step, bodies = world.last, contacts.bodies[rows]
     yields = scene.inverse_mass[bodies, 0]
-    gives = np.hypot(*step.smooth[:, :2].T)[bodies].sum(axis=1) * step.dt
+    gives = np.hypot(*step.law_acceleration[:, :2].T)[bodies].sum(axis=1) * step.dt
     sudden = impulse[rows] * yields.sum(axis=1) > SUDDEN * gives
     rows, bodies, yields = rows[sudden], bodies[sudden], yields[sudden]
     if not len(rows):
@@ -68,6 +68,6 @@ def impacts(world: World) -> Impacts | None:
     two = (contacts.touches[rows] == 2)[:, None]
     first, second = contacts.points[rows].swapaxes(0, 1)
     at = np.where(two, (first + second) / 2, first)
-    momentum = float((scene.mass * np.hypot(*step.begun[:, :2].T)).max(initial=0.0))
+    momentum = float((scene.mass * np.hypot(*step.pre_kick_velocity[:, :2].T)).max(initial=0.0))
     lighter = bodies[np.arange(len(rows)), yields.argmax(axis=1)]
     return Impacts(bodies, at, impulse[rows], lighter, momentum)

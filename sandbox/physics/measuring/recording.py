@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
-from sandbox.model.events import MOST_MEETINGS, Passage, crossed
+from sandbox.model.events import MOST_MEETINGS, Passage, crossing_of
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured
-from sandbox.model.quantities import TIME, base, quantity
+from sandbox.model.quantities import TIME, aggregated, quantity
 from sandbox.model.translatable_message import Message
 from sandbox.optional_packages import needed_for
 from sandbox.physics.energy.book_closure import Closing
@@ -69,13 +69,13 @@ class Trace:
     the start must separate before they can meet."""
     partings: Mapping[Pair, Sequence[int]]
     """The steps at which each pair of bodies separated, at most `MOST_MEETINGS` of them."""
-    leans: bool = False
+    may_lean: bool = False
     """Whether the forces on bodies at rest at the start were not found: a pile may then lean."""
     unbalanced: float = 0.0
     """The share of the forces that sweeps left unbalanced in a pile; see `Unbalanced`."""
     closing: Closing | None = None
     """How its energy books closed; None if none were kept."""
-    unseen: "tuple[RateBound, ...]" = ()
+    missed_passages: "tuple[RateBound, ...]" = ()
     """Bodies that may have passed through others within a step, with the rates that prevent it."""
 
     @property
@@ -97,14 +97,14 @@ class Trace:
     def until(self, t: float) -> "Trace":
         """Return the run up to and including the first step at or after a time [s]."""
         count = self.stepping.steps(t) + 1
-        met = {p: [m for m in found if m.step < count] for p, found in self.meetings.items()}
-        parted = {p: [i for i in found if i < count] for p, found in self.partings.items()}
+        met = {p: [m for m in instants if m.step < count] for p, instants in self.meetings.items()}
+        parted = {p: [i for i in instants if i < count] for p, instants in self.partings.items()}
         return replace(
             self,
             t=self.t[:count],
             columns={name: column[:count] for name, column in self.columns.items()},
-            meetings={pair: found for pair, found in met.items() if found},
-            partings={pair: found for pair, found in parted.items() if found},
+            meetings={pair: instants for pair, instants in met.items() if instants},
+            partings={pair: instants for pair, instants in parted.items() if instants},
         )
 
     def to_pandas(self) -> "DataFrame":
@@ -135,10 +135,10 @@ class Trace:
         return Dataset(variables, {TIME.name: t}, {"title": self.level.title})
 
 
-def leans(world: World) -> bool:
+def may_lean(world: World) -> bool:
     """Return whether the solver did not settle the bodies at rest at the start of a run."""
     settling = world.kicks.settling
-    return bool(settling and settling.unsettled and not world.scene.direct)
+    return bool(settling and settling.is_unsettled and not world.scene.direct)
 
 
 def _steps_see_impacts(world: World) -> bool:
@@ -152,29 +152,29 @@ class Recorder:
 
     def __init__(self, world: World, names: Iterable[str]) -> None:
         self._world = world
-        asked = [quantity(name, world.level) for name in dict.fromkeys(names)]
-        self._over_time = {q.name: q for q in asked if q.over_time}
-        plain = (quantity(base(q), world.level) if q.over_time else q for q in asked)
+        requested = [quantity(name, world.level) for name in dict.fromkeys(names)]
+        self._aggregates = {q.name: q for q in requested if q.aggregate}
+        plain = (quantity(aggregated(q), world.level) if q.aggregate else q for q in requested)
         wanted = {q.name: q for q in plain}.values()
-        self._booked = {q.name: q for q in wanted if q.booked}
-        self._between = {q.name: q for q in wanted if q.between}
-        apart = self._booked.keys() | self._between.keys()
-        self._meter = Meter(world, [q.name for q in wanted if q.name not in apart])
-        self._ledger = Ledger(world) if self._booked else None
-        self._books: list[list[float]] = []
-        self._forces: list[list[float]] = []
+        self._from_ledger = {q.name: q for q in wanted if q.needs_ledger}
+        self._pair_forces = {q.name: q for q in wanted if q.is_pair_force}
+        separate = self._from_ledger.keys() | self._pair_forces.keys()
+        self._meter = Meter(world, [q.name for q in wanted if q.name not in separate])
+        self._ledger = Ledger(world) if self._from_ledger else None
+        self._ledger_rows: list[list[float]] = []
+        self._force_rows: list[list[float]] = []
         self._names = list(world.scene.bodies)
-        self._fresh: list[Snapshot] = []  # not yet measured
+        self._unmeasured: list[Snapshot] = []  # not yet measured
         self._last: list[Snapshot] = []  # the last one measured, from which integrals continue
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
-        self._leans, self._unbalanced = leans(world), Unbalanced(world)
-        self._speeds = np.zeros(len(self._names))  # the highest, if `_steps_see_impacts`
+        self._may_lean, self._unbalanced = may_lean(world), Unbalanced(world)
+        self._speeds = np.zeros(len(self._names))  # the highest [m/s], if `_steps_see_impacts`
         self._meetings: dict[Pair, list[Meeting]] = {}
         self._partings: dict[Pair, list[int]] = {}
         self._touching: set[int] = set()  # pairs that touch now, as numbers
-        self._many = min(MANY, max(STATES // len(self._names), 1))
-        self._most = int(LARGEST / np.dtype(float).itemsize / (1 + len(wanted)))
+        self._block = min(MANY, max(STATES // len(self._names), 1))
+        self._most_instants = int(LARGEST / np.dtype(float).itemsize / (1 + len(wanted)))
         self.note()
 
     def __len__(self) -> int:
@@ -186,40 +186,40 @@ class Recorder:
         struck = self._world.impacts
         for pair, time in struck:
             _add(self._meetings, pair, Meeting(self._count, time))
-        self._touch(self._world.contacts.bodies, {pair for pair, _ in struck})
+        self._note_contacts(self._world.contacts.bodies, {pair for pair, _ in struck})
         if self._ledger:
             self._ledger.note()
             balance = self._ledger.balance
-            self._books.append([balance.value(q) for q in self._booked.values()])
-        if self._between:
-            self._forces.append([*self._forces_between()])
-        self._fresh.append(self._world.snapshot)
+            self._ledger_rows.append([balance.value(q) for q in self._from_ledger.values()])
+        if self._pair_forces:
+            self._force_rows.append([*self._contact_forces()])
+        self._unmeasured.append(self._world.snapshot)
         self._count += 1
-        if len(self._fresh) == self._many:
+        if len(self._unmeasured) == self._block:
             self._measure()
 
     @property
-    def full(self) -> bool:
+    def is_full(self) -> bool:
         """Whether it has reached its largest size."""
-        return self._count >= self._most
+        return self._count >= self._most_instants
 
     def require(self, count: int) -> None:
         """Refuse to record more instants than fit in memory.
 
         Raises `SimulationError` if there are more.
         """
-        if count > self._most:
+        if count > self._most_instants:
             hint = Message("record fewer, or for a shorter time")
             reason = Message(
                 "{count:,} instants are to be recorded, but with so many quantities {size:g} GB"
                 " hold at most {most:,}",
                 count=count,
-                most=self._most,
+                most=self._most_instants,
                 size=LARGEST / 1e9,
             )
             raise SimulationError("", self._world.t, reason, hint=hint)
 
-    def _touch(self, bodies: Integers, struck: Collection[Pair]) -> None:
+    def _note_contacts(self, bodies: Integers, struck: Collection[Pair]) -> None:
         """Record which pairs, (k, 2), have begun to touch since the step before, or separated.
 
         Pairs with a located impact in between, `struck`, are recorded already.
@@ -235,10 +235,10 @@ class Recorder:
     def _pair(self, key: int) -> Pair:
         return frozenset(self._names[row] for row in divmod(key, len(self._names)))
 
-    def _forces_between(self) -> Iterator[float]:
+    def _contact_forces(self) -> Iterator[float]:
         """Yield the requested contact forces between two bodies [N]."""
         contacts, now = self._world.contacts, self._world.snapshot
-        for wanted in self._between.values():
+        for wanted in self._pair_forces.values():
             kind = wanted.attribute.partition(".")[2]
             pair = [*map(self._names.index, (wanted.subject, wanted.other))]
             impulse, force = getattr(contacts, kind), getattr(now, kind)[pair[0]]
@@ -249,20 +249,20 @@ class Recorder:
 
     def _measure(self) -> None:
         """Measure the new snapshots, and drop them."""
-        if self._fresh:
-            known = len(self._last)
-            stack = Snapshot.stack([*self._last, *self._fresh])
+        if self._unmeasured:
+            count = len(self._last)
+            stack = Snapshot.stack([*self._last, *self._unmeasured])
             columns = self._meter(stack)
             for name, found in self._meter.quantities.items():
-                if known and found.adds_up:
+                if count and found.is_integral:
                     columns[name] = columns[name] + self._measured[-1][1][name][-1]
-            fresh = {name: column[known:] for name, column in columns.items()}
-            self._measured.append((stack.t[known:], fresh))
+            new_columns = {name: column[count:] for name, column in columns.items()}
+            self._measured.append((stack.t[count:], new_columns))
             if _steps_see_impacts(self._world):
                 speeds = np.hypot(stack.velocity[..., 0], stack.velocity[..., 1])
                 self._speeds = np.maximum(self._speeds, speeds.max(axis=0))
-            self._last = self._fresh[-1:]
-            self._fresh.clear()
+            self._last = self._unmeasured[-1:]
+            self._unmeasured.clear()
 
     @property
     def trace(self) -> Trace:
@@ -274,12 +274,20 @@ class Recorder:
             self._measured = [(np.concatenate(times), joined)]
         t, measured = self._measured[0]
         columns = dict(measured)
-        for names, kept in ((self._booked, self._books), (self._between, self._forces)):
-            rows = np.array(kept).reshape(self._count if names else 0, len(names))
+        for names, rows_so_far in (
+            (self._from_ledger, self._ledger_rows),
+            (self._pair_forces, self._force_rows),
+        ):
+            rows = np.array(rows_so_far).reshape(self._count if names else 0, len(names))
             columns |= dict(zip(names, rows.T, strict=True))
-        for name, found in self._over_time.items():
-            columns[name] = over_time(found.over_time, t, columns[base(found)])
-        quantities = {**self._meter.quantities, **self._booked, **self._between, **self._over_time}
+        for name, found in self._aggregates.items():
+            columns[name] = over_time(found.aggregate, t, columns[aggregated(found)])
+        quantities = {
+            **self._meter.quantities,
+            **self._from_ledger,
+            **self._pair_forces,
+            **self._aggregates,
+        }
         units = {name: quantities[name].unit for name in columns}
         world = self._world
         return Trace(
@@ -291,23 +299,23 @@ class Recorder:
             units,
             self._meetings,
             self._partings,
-            self._leans,
-            self._unbalanced.share,
-            unseen=self._unseen(),
+            self._may_lean,
+            self._unbalanced.fraction,
+            missed_passages=self._missed_passages(),
         )
 
-    def _unseen(self) -> "tuple[RateBound, ...]":
+    def _missed_passages(self) -> "tuple[RateBound, ...]":
         """Return what moved further than its own width in a step, where only steps see impacts."""
         world, contact = self._world, self._world.level.effects.contact
         if not (contact and _steps_see_impacts(world)):
             return ()
-        from sandbox.physics.guarding.least_step_rate import fast
+        from sandbox.physics.guarding.least_step_rate import speed_bounds
 
-        far = self._speeds > world.stepping.rate * self._widths
-        found = fast(
-            world.scene, np.where(far, self._speeds, 0.0), self._widths, contact.located or ()
+        too_fast = self._speeds > world.stepping.rate * self._widths
+        bounds = speed_bounds(
+            world.scene, np.where(too_fast, self._speeds, 0.0), self._widths, contact.located or ()
         )
-        return tuple(sorted(found))[::-1]
+        return tuple(sorted(bounds))[::-1]
 
     @cached_property
     def _widths(self) -> Array:
@@ -317,10 +325,10 @@ class Recorder:
         return widths(self._world.scene)
 
 
-def _add(to: dict[Pair, list[Met]], pair: Pair, what: Met) -> None:
-    found = to.setdefault(pair, [])
-    if len(found) < MOST_MEETINGS:
-        found.append(what)
+def _add(to: dict[Pair, list[Met]], pair: Pair, entry: Met) -> None:
+    entries = to.setdefault(pair, [])
+    if len(entries) < MOST_MEETINGS:
+        entries.append(entry)
 
 
 def count_steps(world: World, duration: float | None = None) -> int:
@@ -338,4 +346,4 @@ def needed(level: Level) -> list[str]:
 
 def needed_at(quantity: str, at: Instant | None) -> list[str]:
     """Return a quantity and the one that locates an instant."""
-    return [quantity, crossed(at)[0]] if isinstance(at, Passage) else [quantity]
+    return [quantity, crossing_of(at)[0]] if isinstance(at, Passage) else [quantity]

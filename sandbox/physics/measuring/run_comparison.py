@@ -23,43 +23,43 @@ class Difference:
     """The instant of the comparison; None for the time at which the runs differ most."""
     t: tuple[float | None, float | None]
     """The time of the instant in the first run and in the second [s]; None if it never came."""
-    before: float | None
-    after: float | None
+    first: float | None
+    second: float | None
     """The quantity in the first run and in the second; None if the instant never came."""
     scale: float
     """The largest magnitude in the first run; at an instant, the magnitude there."""
-    share: float
+    fraction: float
     """The difference over the largest magnitude in both runs, from 0 to 2; infinite if the instant
     came in only one of them."""
 
     @property
     def relative(self) -> float | None:
         """The difference over the scale; None if that is zero or a value is missing."""
-        if self.before is None or self.after is None or self.scale <= ZERO:
+        if self.first is None or self.second is None or self.scale <= ZERO:
             return None
-        return (self.after - self.before) / self.scale
+        return (self.second - self.first) / self.scale
 
 
-def watched(level: Level) -> list[str]:
+def compared_quantities(level: Level) -> list[str]:
     """Return the quantities by which runs are compared: those of checks, and positions."""
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     parts = ["position.x", "position.y", *(["angle"] if level.effects.rotation else [])]
-    places = [f"{name}.{part}" for name in dynamic for part in parts]
-    return list(dict.fromkeys([*needed(level), *places]))
+    positions = [f"{name}.{part}" for name in dynamic for part in parts]
+    return list(dict.fromkeys([*needed(level), *positions]))
 
 
-def differences(before: Trace, after: Trace, *, places: bool = False) -> tuple[Difference, ...]:
+def differences(before: Trace, after: Trace, *, positions: bool = False) -> tuple[Difference, ...]:
     """Return the differences of two runs in the quantities of the first one's checks.
 
-    With `places`, all other quantities that both recorded are compared, too.
+    With `positions`, all other quantities that both recorded are compared, too.
     """
-    both = min(before.t[-1], after.t[-1])
-    before, after = before.until(float(both)), after.until(float(both))
+    end = min(before.t[-1], after.t[-1])
+    before, after = before.until(float(end)), after.until(float(end))
     scales = _scales(before, after)
     asked: dict[tuple[str, Instant | None], Check | None] = {}
     for check in before.level.checks:
         asked.setdefault((check.quantity, check.at), check)
-    if places:
+    if positions:
         asked.update({(name, None): asked.get((name, None)) for name in before.columns})
     return tuple(
         _difference(before, after, name, at, check.label if check else "", scales)
@@ -87,18 +87,22 @@ def _difference(
 ) -> Difference:
     unit = before.units[name]
     found = samples(before, name, at), samples(after, name, at)
-    (t0, one), (t1, other) = (f or (np.full(1, np.nan), np.full(1, np.nan)) for f in found)
-    length = min(len(one), len(other))
-    apart = np.nan_to_num(np.abs(other[:length] - one[:length]), nan=-1.0)
-    worst = int(np.argmax(apart))
-    first, second = _number(one[worst]), _number(other[worst])
-    largest = max(_largest(one), _largest(other))
-    share = float(apart[worst]) / largest if apart[worst] > ZERO * scales[unit] else 0.0
+    (t0, first_values), (t1, second_values) = (
+        f or (np.full(1, np.nan), np.full(1, np.nan)) for f in found
+    )
+    length = min(len(first_values), len(second_values))
+    separation = np.nan_to_num(np.abs(second_values[:length] - first_values[:length]), nan=-1.0)
+    worst = int(np.argmax(separation))
+    first, second = _number(first_values[worst]), _number(second_values[worst])
+    largest = max(_largest(first_values), _largest(second_values))
+    fraction = (
+        float(separation[worst]) / largest if separation[worst] > ZERO * scales[unit] else 0.0
+    )
     if (first is None) is not (second is None):
-        share = np.inf
+        fraction = np.inf
     times = _number(t0[worst]), _number(t1[worst])
-    scale = _largest(one)
-    return Difference(label, name, unit, at, times, first, second, scale, share)
+    scale = _largest(first_values)
+    return Difference(label, name, unit, at, times, first, second, scale, fraction)
 
 
 def _number(value: float) -> float | None:

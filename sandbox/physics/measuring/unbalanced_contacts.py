@@ -31,42 +31,47 @@ class Unbalanced:
         self._world, scene = world, world.scene
         contact, stepping = world.level.effects.contact, world.stepping
         swept = contact is not None and not (scene.direct or scene.sequence or stepping.is_stock)
-        self._moves = scene.mass > 0
-        self._swept = swept and np.count_nonzero(self._moves) > 1
-        self._share, self._looks, self._steps = 0.0, 0, 0
+        self._is_movable = scene.mass > 0
+        self._is_swept = swept and np.count_nonzero(self._is_movable) > 1
+        self._sum, self._samples, self._steps = 0.0, 0, 0
 
     @property
-    def share(self) -> float:
+    def fraction(self) -> float:
         """The mean share of the speed that forces give in a step, with which contacts close.
 
         It is the mean over all looks at which a body rested on another that moves.
         """
-        return self._share / self._looks if self._looks else 0.0
+        return self._sum / self._samples if self._samples else 0.0
 
     def note(self) -> None:
         """Look at the contacts of the world's last step, at every eighth step."""
-        if not self._swept:
+        if not self._is_swept:
             return
         self._steps += 1
         contacts = self._world.contacts
         if self._steps % EVERY or not len(contacts.bodies):
             return
-        lasting = ~contacts.first & (contacts.normal > 0)
-        given = self._world.dt * float(np.hypot(*self._world.last.smooth[:, :2].T).max())
+        persistent = ~contacts.first & (contacts.normal > 0)
+        speed_per_step = self._world.dt * float(
+            np.hypot(*self._world.last.law_acceleration[:, :2].T).max()
+        )
         a, b = contacts.bodies.T
-        if not (given and (lasting & self._moves[a] & self._moves[b]).any()):
+        if not (speed_per_step and (persistent & self._is_movable[a] & self._is_movable[b]).any()):
             return
-        self._share += float(self._closing()[lasting].mean()) / given
-        self._looks += 1
+        self._sum += float(self._approach_speed()[persistent].mean()) / speed_per_step
+        self._samples += 1
 
-    def _closing(self) -> Array:
+    def _approach_speed(self) -> Array:
         """Return how fast the two bodies of each contact approach: (k,) [m/s]."""
-        contacts, place = self._world.contacts, self._world.snapshot.position
+        contacts, position = self._world.contacts, self._world.snapshot.position
         velocity, (a, b) = self._world.scene.batch.velocity(), contacts.bodies.T
-        moves = (
-            point_velocity(velocity[b], at - place[b]) - point_velocity(velocity[a], at - place[a])
+        velocities = (
+            point_velocity(velocity[b], at - position[b])
+            - point_velocity(velocity[a], at - position[a])
             for at in np.moveaxis(contacts.points, 1, 0)
         )
-        parting = [np.sum(moved * contacts.direction, axis=1) for moved in moves]
-        least = np.where(contacts.touches > 1, np.minimum(*parting), parting[0])
-        return np.maximum(-least, 0.0)
+        separation_speeds = [np.sum(point * contacts.direction, axis=1) for point in velocities]
+        slowest = np.where(
+            contacts.touches > 1, np.minimum(*separation_speeds), separation_speeds[0]
+        )
+        return np.maximum(-slowest, 0.0)

@@ -30,7 +30,7 @@ class Meter:
         self._rows = {name: i for i, name in enumerate(scene.bodies)}
         self._columns = {name: i for i, name in enumerate(run.level.joints)}
         self._joints = scene.joints
-        self._mass, self._moment, self._share = scene.mass, scene.moment, scene.share
+        self._mass, self._moment, self._share = scene.mass, scene.moment, scene.mass_fraction
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self.quantities = {name: quantity(name, run.level) for name in names}
         self._measurements = {name: self._bind(q) for name, q in self.quantities.items()}
@@ -43,7 +43,7 @@ class Meter:
         return {name: measure(snapshot) for name, measure in self._measurements.items()}
 
     def _bind(self, quantity: Quantity) -> Measurement:
-        if quantity.booked or quantity.between or quantity.over_time:
+        if quantity.needs_ledger or quantity.is_pair_force or quantity.aggregate:
             rule = Message(
                 "'{name}' is known only in a recording of the whole run", name=quantity.name
             )
@@ -72,7 +72,7 @@ class Meter:
             return lambda s: self._joints.length(name, s)
         if attribute == "potential_energy":
             spring = self._joints.springs.get(name)
-            return spring.stored if spring else lambda s: np.zeros_like(s.t)
+            return spring.energy if spring else lambda s: np.zeros_like(s.t)
         column = self._columns[name]
         if attribute == "torque":
             return lambda s: s.torque[..., column]
@@ -203,7 +203,7 @@ class Meter:
 
 def _of_point(point: Anchor, attribute: str, s: Snapshot) -> Array:
     """Return the position or velocity of a point of a body: (..., 2)."""
-    place, moves, _ = point.look(s)
+    place, moves, _ = point.kinematics(s)
     found = place if attribute == "position" else moves
     return np.stack((found.real, found.imag), axis=-1)
 

@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 import pymunk
 
-from sandbox.model.contact_solver_choice import is_direct, may_catch
-from sandbox.model.excluded_pairs import apart
+from sandbox.model.contact_solver_choice import has_one_sided_joints, is_direct
+from sandbox.model.excluded_pairs import excluded_pairs
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.contacts.coefficients.solver_coefficients import (
@@ -90,7 +90,7 @@ def _make_shapes(
         name: make_surfaces(spec, bodies[name], level, values, skin, kind)
         for kind, (name, spec) in enumerate(level.bodies.items(), start=1)
     }
-    if pairs_apart := sorted(apart(level)):
+    if pairs_apart := sorted(excluded_pairs(level)):
         from sandbox.physics.contacts.shapes.pair_exclusion import keep_apart
 
         keep_apart(space, bodies, pairs_apart)
@@ -137,7 +137,7 @@ def make_direct(made: BuildContext, pairs: Pairs) -> "DirectSolver | None":
     """
     level, stepping = made.level, made.stepping
     direct = not stepping.is_stock and is_direct(level, stepping)
-    if not (direct or may_catch(level, stepping)):
+    if not (direct or has_one_sided_joints(level, stepping)):
         return None
     from sandbox.physics.contacts.detection.contact_queries import Query
     from sandbox.physics.contacts.direct.rows.contact_properties import surfaces_of

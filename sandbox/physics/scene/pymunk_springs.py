@@ -5,11 +5,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pymunk
 
-from sandbox.model.contact_solver_choice import may_catch
+from sandbox.model.contact_solver_choice import has_one_sided_joints
 from sandbox.model.level import Stepping
 from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.forces.variable_mass import MassFlows, Share
+from sandbox.physics.forces.variable_mass import MassFlows, MassFraction
 from sandbox.physics.scene.build_context import BuildContext
 from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
 from sandbox.physics.state.motion import Reading
@@ -20,7 +20,7 @@ def check_rate(
 ) -> None:
     """Refuse a rate that is too low for springs, drags, or forces that turn velocities."""
     joints, inverse_mass, stepping = made.joints, made.inverse_mass, made.stepping
-    drags = [law for law in forces if law.effect.sees_velocity and not stepping.is_stock]
+    drags = [law for law in forces if law.effect.depends_on_velocity and not stepping.is_stock]
     if not (joints.springs or drags or turns):
         return
     start = Reading(np.zeros(()), made.batch.state())
@@ -42,7 +42,7 @@ def _reach(stepping: Stepping, *, held: bool) -> float:
     return composition(stepping.order, held=held).reach
 
 
-def hooked_springs(made: BuildContext, share: Share) -> Iterator[SpringForce]:
+def hooked_springs(made: BuildContext, share: MassFraction) -> Iterator[SpringForce]:
     """Add plain springs to pymunk's space, and yield all others.
 
     pymunk applies none in a level with contacts, or with one-sided joints that may catch, where
@@ -51,7 +51,7 @@ def hooked_springs(made: BuildContext, share: Share) -> Iterator[SpringForce]:
     """
     level, bodies = made.level, list(made.bodies.values())
     space, flows = bodies[0].space, isinstance(share, MassFlows)
-    known = level.effects.contact or may_catch(level, made.stepping)
+    known = level.effects.contact or has_one_sided_joints(level, made.stepping)
     simple = made.stepping.scheme == "leapfrog" and not (known or flows)
     moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     for spring in made.joints.springs.values():

@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pymunk
 
-from sandbox.model.contact_solver_choice import is_direct, may_catch
+from sandbox.model.contact_solver_choice import has_one_sided_joints, is_direct
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.pymunk_bodies import make_body
 from sandbox.physics.engine.space_arrays import Batch
-from sandbox.physics.forces.declared_laws import gravity, laws, mass_share
+from sandbox.physics.forces.declared_laws import gravity, laws, mass_fraction_of
 from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
-from sandbox.physics.forces.variable_mass import Share
+from sandbox.physics.forces.variable_mass import MassFraction
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.scene.build_context import BuildContext, Pairs
 
@@ -48,7 +48,7 @@ class Scene:
     level without rotation."""
     inertia: Array
     """(n, 3), mass, mass and moment [kg, kg m²]."""
-    share: Share
+    mass_fraction: MassFraction
     """The masses over those at the start, as a function of time."""
     inverse_mass: Array
     """(n, 3), one over the inertia, 0 of bodies that do not move or turn [1/kg, 1/(kg m²)]."""
@@ -72,13 +72,13 @@ class Scene:
     gravity: Gravity | None
     laws: tuple[Law, ...]
     """Uniform gravity, which pymunk applies, and the force laws."""
-    hooked: tuple[Law, ...]
+    hooked_laws: tuple[Law, ...]
     """The laws that need a hook: all but the springs that pymunk applies."""
-    turns: tuple[VelocityRotation, ...]
+    rotations: tuple[VelocityRotation, ...]
     """The laws that turn velocities, and do no work."""
     switches: "Switches"
     """The switches of forces that events turn on and off, by name."""
-    happened: dict[str, float] = field(default_factory=dict)
+    event_times: dict[str, float] = field(default_factory=dict)
     """The times of the events so far, by name [s]."""
 
 
@@ -89,19 +89,21 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     must not.
     """
     space, bodies = _make_space(level, values, stepping)
-    pairs = _touching(space, bodies, level, values, stepping)
+    pairs = _set_up_contacts(space, bodies, level, values, stepping)
     mass, moment, inertia, inverse_mass = _inertia(list(bodies.values()))
-    share = mass_share(level.effects, values, list(bodies), mass)
-    if field := gravity(level.effects, values, mass, share):
+    mass_fraction = mass_fraction_of(level.effects, values, list(bodies), mass)
+    if field := gravity(level.effects, values, mass, mass_fraction):
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
     joints = _make_joints(level, values, stepping, bodies, batch, inverse_mass, pairs)
     switches = _make_switches(level, joints)
-    given = LawInputs(level, values, list(bodies), mass, share, 1 / stepping.rate, switches)
-    forces, turns = laws(level.effects, given)
-    made = BuildContext(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
-    solver, sequence = _solvers(made, pairs)
-    hooked = _hooked(made, forces, turns, share)
+    inputs = LawInputs(
+        level, values, list(bodies), mass, mass_fraction, 1 / stepping.rate, switches
+    )
+    forces, rotations = laws(level.effects, inputs)
+    context = BuildContext(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
+    solver, sequence = _solvers(context, pairs)
+    hooked = _hooked(context, forces, rotations, mass_fraction)
     return Scene(
         space=space,
         bodies=bodies,
@@ -109,7 +111,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         mass=mass,
         moment=moment,
         inertia=inertia,
-        share=share,
+        mass_fraction=mass_fraction,
         inverse_mass=inverse_mass,
         joints=joints,
         pair_callbacks=pairs.callbacks,
@@ -121,8 +123,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         gates=pairs.gates,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
-        hooked=hooked,
-        turns=turns,
+        hooked_laws=hooked,
+        rotations=rotations,
         switches=switches,
     )
 
@@ -139,15 +141,18 @@ def _make_space(
 
 
 def _hooked(
-    made: BuildContext, forces: tuple[Law, ...], turns: tuple[VelocityRotation, ...], share: Share
+    context: BuildContext,
+    forces: tuple[Law, ...],
+    rotations: tuple[VelocityRotation, ...],
+    mass_fraction: MassFraction,
 ) -> tuple[Law, ...]:
     """Return the laws that are called in each step; refuse a rate that is too low for any."""
-    if not (made.joints.springs or forces or turns):
+    if not (context.joints.springs or forces or rotations):
         return forces
     from sandbox.physics.scene.pymunk_springs import check_rate, hooked_springs
 
-    check_rate(made, forces, turns)
-    return (*forces, *hooked_springs(made, share))
+    check_rate(context, forces, rotations)
+    return (*forces, *hooked_springs(context, mass_fraction))
 
 
 def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array, Array, Array]:
@@ -161,7 +166,7 @@ def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array, Array, Array]
     return mass, moment, inertia, inverse
 
 
-def _touching(
+def _set_up_contacts(
     space: pymunk.Space,
     bodies: dict[str, pymunk.Body],
     level: Level,
@@ -205,17 +210,19 @@ def _make_joints(
 
 def _make_switches(level: Level, joints: Joints) -> "Switches":
     """Make the switches of forces, if the level has events."""
-    if not level.happens:
+    if not level.has_events:
         return {}
     from sandbox.physics.scene.force_switches import make_switches
 
     return make_switches(level, joints)
 
 
-def _solvers(made: BuildContext, pairs: Pairs) -> "tuple[DirectSolver | None, Sequential | None]":
+def _solvers(
+    context: BuildContext, pairs: Pairs
+) -> "tuple[DirectSolver | None, Sequential | None]":
     """Make the solvers of contacts and of impacts in sequence; None where pymunk solves them."""
-    if not (made.level.effects.contact or may_catch(made.level, made.stepping)):
+    if not (context.level.effects.contact or has_one_sided_joints(context.level, context.stepping)):
         return None, None
     from sandbox.physics.scene.contact_setup import make_direct, make_sequence
 
-    return make_direct(made, pairs), make_sequence(made, pairs.restitution)
+    return make_direct(context, pairs), make_sequence(context, pairs.restitution)

@@ -40,16 +40,19 @@ def check_drag(
     `rate`, see `check_springs`. Raises `SimulationError`, which names the effect and the body.
     """
     with np.errstate(all="ignore"):  # the watchdog reports values that are not finite
-        taken = np.asarray(_strength(law, start) * inverse_mass[:, 0])
-        braked = _braking(law, start, inverse_mass[:, 2])
-    if (needed := float(braked.max(initial=0.0))) > rate * CLOSE:
-        name = names[int(braked.argmax())]
+        decay = np.asarray(_strength(law, start) * inverse_mass[:, 0])
+        angular_decay = _angular_decay(law, start, inverse_mass[:, 2])
+    if (required_rate := float(angular_decay.max(initial=0.0))) > rate * CLOSE:
+        name = names[int(angular_decay.argmax())]
         cause = _acting(law.effect.name, name)
-        raise _refused(name, cause, needed, rate, ("effects", law.effect.name))
-    row = int(taken.argmax())
-    if taken[row] > rate * CLOSE and (needed := _held(taken, inverse_mass, joints)) > rate * CLOSE:
+        raise _refused(name, cause, required_rate, rate, ("effects", law.effect.name))
+    row = int(decay.argmax())
+    if (
+        decay[row] > rate * CLOSE
+        and (required_rate := _constrained_decay(decay, inverse_mass, joints)) > rate * CLOSE
+    ):
         cause = _acting(law.effect.name, names[row])
-        raise _refused(names[row], cause, needed, rate, ("effects", law.effect.name))
+        raise _refused(names[row], cause, required_rate, rate, ("effects", law.effect.name))
 
 
 def check_turn(turn: VelocityRotation, names: Sequence[str], start: Motion, rate: float) -> None:
@@ -58,11 +61,11 @@ def check_turn(turn: VelocityRotation, names: Sequence[str], start: Motion, rate
     There a circle is too large by a fifth. See `check_drag` for the parameters.
     """
     with np.errstate(all="ignore"):  # the watchdog reports values that are not finite
-        turning = np.abs(turn.rate(start))
-    row = int(turning.argmax())
-    if (needed := float(turning[row]) / 2) > rate * CLOSE:
+        rates = np.abs(turn.rate(start))
+    row = int(rates.argmax())
+    if (required_rate := float(rates[row]) / 2) > rate * CLOSE:
         cause = _acting(turn.effect.name, names[row])
-        raise _refused(names[row], cause, needed, rate, ("effects", turn.effect.name))
+        raise _refused(names[row], cause, required_rate, rate, ("effects", turn.effect.name))
 
 
 def _strength(law: Law, motion: Motion) -> Array:
@@ -76,15 +79,15 @@ def _strength(law: Law, motion: Motion) -> Array:
     return np.asarray(np.hypot(*change.T) / np.hypot(*probe.T))
 
 
-def _braking(law: Law, start: Motion, inverse_mass: Array) -> Array:
+def _angular_decay(law: Law, start: Motion, inverse_mass: Array) -> Array:
     """Return the decay rates of angular velocities by a law, with reactions: (n,) [1/s].
 
     `inverse_mass`, (n,), has the inverse moments of inertia [1/(kg m²)].
     """
-    found = np.zeros_like(inverse_mass)
+    decay = np.zeros_like(inverse_mass)
     motion = Instant.of(start)
-    if not law.effect.twists:
-        return found
+    if not law.effect.exerts_torque:
+        return decay
 
     def change(faster: Array) -> Array:
         """Return how the torques change if bodies turn faster: (n,)."""
@@ -93,35 +96,37 @@ def _braking(law: Law, start: Motion, inverse_mass: Array) -> Array:
             law.add(motion._replace(angular_velocity=motion.angular_velocity + more), torque)
         return np.asarray(np.abs(torques[1, :, 2] - torques[0, :, 2]))
 
-    uneven = PROBE * (1 + np.sin(np.arange(len(inverse_mass))) / 2)  # on two bodies, too
-    for row in np.flatnonzero(inverse_mass * change(uneven)):
-        alone = np.where(np.arange(len(inverse_mass)) == row, PROBE, 0.0)
-        found[row] = change(alone) @ inverse_mass / PROBE
-    return found
+    all_faster = PROBE * (1 + np.sin(np.arange(len(inverse_mass))) / 2)  # on two bodies, too
+    for row in np.flatnonzero(inverse_mass * change(all_faster)):
+        one_faster = np.where(np.arange(len(inverse_mass)) == row, PROBE, 0.0)
+        decay[row] = change(one_faster) @ inverse_mass / PROBE
+    return decay
 
 
-def _held(taken: Array, inverse_mass: Array, joints: Joints) -> float:
+def _constrained_decay(decay_of_free: Array, inverse_mass: Array, joints: Joints) -> float:
     """Return the fastest decay with joints [1/s], from the rates of free bodies: (n,) [1/s].
 
     It is the largest eigenvalue of √M⁻¹ C √M⁻¹ in the directions that exact joints leave free.
     """
     if not joints.together:
-        return float(taken.max())
+        return float(decay_of_free.max())
     stiff = joints.together.stiff()
     joined = np.flatnonzero(stiff.any(axis=(0, 2)))
-    others = float(np.delete(taken, joined).max(initial=0.0))
-    kept = (stiff[:, joined] * np.sqrt(inverse_mass[joined])).reshape(len(stiff), -1)
-    _, sizes, directions = np.linalg.svd(kept, full_matrices=False)
-    kept = directions[sizes > SINGULAR * sizes.max(initial=0.0)]
-    decay = np.stack((taken, taken, np.zeros_like(taken)), axis=1)[joined].ravel()
+    others = float(np.delete(decay_of_free, joined).max(initial=0.0))
+    constrained = (stiff[:, joined] * np.sqrt(inverse_mass[joined])).reshape(len(stiff), -1)
+    _, sizes, directions = np.linalg.svd(constrained, full_matrices=False)
+    constrained = directions[sizes > SINGULAR * sizes.max(initial=0.0)]
+    decay = np.stack((decay_of_free, decay_of_free, np.zeros_like(decay_of_free)), axis=1)[
+        joined
+    ].ravel()
 
     def matrix() -> Array:
-        free = np.eye(decay.size) - kept.T @ kept
+        free = np.eye(decay.size) - constrained.T @ constrained
         return np.asarray(free * decay @ free)
 
     def times(rates: Array) -> Array:
-        slowed = decay * (rates - kept.T @ (kept @ rates))
-        return np.asarray(slowed - kept.T @ (kept @ slowed))
+        slowed = decay * (rates - constrained.T @ (constrained @ rates))
+        return np.asarray(slowed - constrained.T @ (constrained @ slowed))
 
     from sandbox.physics.scene.spring_modes import largest_eigenvalue
 
@@ -142,11 +147,11 @@ def check_springs(
     scheme is stable, 2 for leapfrog. Raises `SimulationError`, which names the spring that needs
     the highest rate.
     """
-    needed, name = limit(springs, inverse_mass, angle)
-    needed *= 2 / reach
-    if needed > rate * CLOSE:
+    required_rate, name = stability_limit(springs, inverse_mass, angle)
+    required_rate *= 2 / reach
+    if required_rate > rate * CLOSE:
         cause = Message("the spring '{name}'", name=name)
-        raise _refused(name, cause, needed, rate, ("joints", name))
+        raise _refused(name, cause, required_rate, rate, ("joints", name))
 
 
 def _acting(effect: str, body: str) -> Message:
@@ -154,21 +159,21 @@ def _acting(effect: str, body: str) -> Message:
 
 
 def _refused(
-    subject: str, cause: Message, needed: float, rate: float, path: Path
+    subject: str, cause: Message, required_rate: float, rate: float, path: Path
 ) -> SimulationError:
-    least = Message("{least:.3g}", least=needed)
-    if needed < READABLE:
-        least = Message("{least:,.0f}", least=np.ceil(needed))
+    least_rate = Message("{least:.3g}", least=required_rate)
+    if required_rate < READABLE:
+        least_rate = Message("{least:,.0f}", least=np.ceil(required_rate))
     reason = Message(
         "{cause} needs a 'rate' of at least {least}, not {rate:g}",
         cause=cause,
-        least=least,
+        least=least_rate,
         rate=rate,
     )
-    return SimulationError(subject, 0.0, reason, MARGIN * needed, path)
+    return SimulationError(subject, 0.0, reason, MARGIN * required_rate, path)
 
 
-def limit(
+def stability_limit(
     springs: Mapping[str, SpringForce], inverse_mass: Array, angle: Array
 ) -> tuple[float, str]:
     """Return the rate at which springs are just stable [Hz], and the spring that needs most alone.
@@ -180,13 +185,16 @@ def limit(
     from sandbox.physics.scene.spring_modes import SpringModes  # what few levels need
 
     modes = SpringModes(list(springs.values()), inverse_mass, angle)
-    stiffness = np.repeat([spring.steepness for spring in springs.values()], 2)
+    stiffness = np.repeat([spring.largest_stiffness for spring in springs.values()], 2)
     damping = np.repeat([spring.damping for spring in springs.values()], 2)
     with np.errstate(all="ignore"):  # values beyond the range of floats become infinite
-        needed = just_stable(*(modes.largest(weight) for weight in (stiffness, damping)))
-        own = modes.own
-        alone = [just_stable(k, c) for k, c in zip(stiffness * own, damping * own, strict=True)]
-    return needed, list(springs)[int(np.argmax(alone)) // 2]
+        required_rate = just_stable(*(modes.largest(weight) for weight in (stiffness, damping)))
+        own_modes = modes.own
+        alone_rates = [
+            just_stable(k, c)
+            for k, c in zip(stiffness * own_modes, damping * own_modes, strict=True)
+        ]
+    return required_rate, list(springs)[int(np.argmax(alone_rates)) // 2]
 
 
 def just_stable(stiffness: float, damping: float) -> float:

@@ -26,25 +26,25 @@ class Anchor:
     body: int | None
     point: complex = 0j
 
-    def look(self, motion: Motion) -> tuple[Plane, Plane, Plane]:
+    def kinematics(self, motion: Motion) -> tuple[Plane, Plane, Plane]:
         """Return its position [m], velocity [m/s], and lever arm from the centre of mass [m]."""
-        place, arm = self.find(motion)
+        position, arm = self.position_and_arm(motion)
         if self.body is None:
-            return place, _NOTHING, arm
-        moves = _plane(motion.velocity[..., self.body, :])
+            return position, _NOTHING, arm
+        velocity = _plane(motion.velocity[..., self.body, :])
         if self.point:
-            moves = moves + 1j * motion.angular_velocity[..., self.body] * arm
-        return place, moves, arm
+            velocity = velocity + 1j * motion.angular_velocity[..., self.body] * arm
+        return position, velocity, arm
 
-    def find(self, motion: Motion) -> tuple[Plane, Plane]:
+    def position_and_arm(self, motion: Motion) -> tuple[Plane, Plane]:
         """Return its position [m], and its lever arm from the centre of mass [m]."""
         if self.body is None:
             return np.asarray(self.point), _NOTHING
-        place = _plane(motion.position[..., self.body, :])
+        position = _plane(motion.position[..., self.body, :])
         if not self.point:  # the angle does not matter
-            return place, _NOTHING
+            return position, _NOTHING
         arm = self.point * np.exp(1j * motion.angle[..., self.body])
-        return place + arm, arm
+        return position + arm, arm
 
 
 def _plane(vectors: Array) -> Plane:
@@ -52,7 +52,7 @@ def _plane(vectors: Array) -> Plane:
     return np.ascontiguousarray(vectors).view(complex)[..., 0][()]
 
 
-def length(path: Sequence[Anchor], motion: Motion) -> Array:
+def path_length(path: Sequence[Anchor], motion: Motion) -> Array:
     """Return the length of a path through points [m]."""
-    places = [anchor.find(motion)[0] for anchor in path]
-    return np.asarray(sum(np.abs(b - a) for a, b in pairwise(places)))
+    positions = [anchor.position_and_arm(motion)[0] for anchor in path]
+    return np.asarray(sum(np.abs(b - a) for a, b in pairwise(positions)))

@@ -91,7 +91,7 @@ class SimulationError(SandboxError):
         """
         parts = (part for part in ("joints", "bodies") if self.subject in getattr(level, part))
         path = self._path or next(((part, self.subject) for part in parts), ())
-        self.place = level.place(path) if path else ""
+        self.place = level.location(path) if path else ""
 
 
 class BreakdownError(SimulationError):

@@ -49,10 +49,10 @@ class Instant(NamedTuple):
         return cls(*(getattr(motion, field) for field in cls._fields))
 
     @classmethod
-    def at(cls, t: float, place: Array, velocity: Array) -> "Instant":
+    def at(cls, t: float, pose: Array, velocity: Array) -> "Instant":
         """Return the motion at a time [s], from two arrays (..., n, 3) [m, rad, m/s, rad/s]."""
-        moves, turns = velocity[..., :2], velocity[..., 2]
-        return cls(np.asarray(t), place[..., :2], place[..., 2], moves, turns)
+        linear, angular = velocity[..., :2], velocity[..., 2]
+        return cls(np.asarray(t), pose[..., :2], pose[..., 2], linear, angular)
 
 
 class Reading:
@@ -88,15 +88,15 @@ class Reading:
         return self.state[:, 5]
 
 
-def momentum(share: Array, place: Array) -> Array:
+def momentum(momenta: Array, position: Array) -> Array:
     """Return the total momentum of n bodies, and the angular momentum about the origin: (3,).
 
-    `share`, (n, 3), is each body's momentum, and angular momentum about its own centre; or
-    impulses. `place` are the positions, (n, 2) or, with angles, (n, 3) [m].
+    `momenta`, (n, 3), is each body's momentum, and angular momentum about its own centre; or
+    impulses. `position` are the positions, (n, 2) or, with angles, (n, 3) [m].
     """
-    x, y = place.T[:2]
-    moment = x * share[:, 1] - y * share[:, 0] + share[:, 2]
-    return np.array([*share[:, :2].sum(axis=0), moment.sum()])
+    x, y = position.T[:2]
+    moment = x * momenta[:, 1] - y * momenta[:, 0] + momenta[:, 2]
+    return np.array([*momenta[:, :2].sum(axis=0), moment.sum()])
 
 
 def kinetic_energy(mass: Array, moment: Array, motion: Motion) -> Array:

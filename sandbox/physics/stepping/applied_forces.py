@@ -21,115 +21,127 @@ if TYPE_CHECKING:
 class Forces:
     """Gravity and the force laws of a scene; n bodies.
 
-    The last force of joints, `pulling`, acts from the start of a kick. In `leapfrog`, the
-    velocities before a kick are half a step old. `seen` is the motion that the laws saw in the last
-    kick; None without laws, or before it. `hand` is the hand that grabs bodies; None until one has.
-    `turning`, (n,) [rad/s], and `turned`, (n, 2) [m/s²], are how the last kick rotated velocities;
-    None if nothing did.
+    The last force of joints, `warm_started`, acts from the start of a kick. In `leapfrog`, the
+    velocities before a kick are half a step old. `law_motion` is the motion that the laws saw in
+    the last kick; None without laws, or before it. `hand` is the hand that grabs bodies; None until
+    one has. `turning_rates`, (n,) [rad/s], and `turning_acceleration`, (n, 2) [m/s²], are how the
+    last kick rotated velocities; None if nothing did.
     """
 
-    def __init__(self, scene: Scene, pulling: "ExactJoints | None", *, leapfrog: bool) -> None:
-        self._batch, self._laws = scene.batch, scene.hooked
-        self._flows = scene.share if isinstance(scene.share, MassFlows) else None
-        self._turns = scene.turns
+    def __init__(self, scene: Scene, warm_started: "ExactJoints | None", *, leapfrog: bool) -> None:
+        self._batch, self._laws = scene.batch, scene.hooked_laws
+        self._mass_flows = (
+            scene.mass_fraction if isinstance(scene.mass_fraction, MassFlows) else None
+        )
+        self._turns = scene.rotations
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.inverse_mass
-        self._bodies, self._pulling = list(scene.bodies.values()), pulling
-        sees = any(law.effect.sees_velocity for law in scene.laws)
-        self._guesses = leapfrog and (sees or bool(scene.turns))
-        self._field = np.zeros((len(self._bodies), 3))  # acceleration by gravity
+        self._bodies, self._warm_started = list(scene.bodies.values()), warm_started
+        sees_velocity = any(law.effect.depends_on_velocity for law in scene.laws)
+        self._extrapolates = leapfrog and (sees_velocity or bool(scene.rotations))
+        self._base_acceleration = np.zeros((len(self._bodies), 3))  # acceleration by gravity
         if scene.gravity:
-            self._field[scene.mass > 0, :2] = scene.gravity.acceleration
-        self._wrench = np.zeros_like(self._field)  # by the laws in the last kick
+            self._base_acceleration[scene.mass > 0, :2] = scene.gravity.acceleration
+        self._wrench = np.zeros_like(self._base_acceleration)  # by the laws in the last kick
         self._inverse_mass = scene.inverse_mass
         # (n, 3), velocities before the last kick, to extrapolate those at the next
-        self._older: Array = np.zeros_like(self._field)
+        self._previous_velocity: Array = np.zeros_like(self._base_acceleration)
         self.hand: Hand | None = None
-        self.turning: Array | None = None
-        self.turned: Array | None = None
-        self.seen: Reading | None = None
+        self.turning_rates: Array | None = None
+        self.turning_acceleration: Array | None = None
+        self.law_motion: Reading | None = None
 
     @property
     def acts(self) -> bool:
         """Whether any force has to be applied before a kick."""
-        return bool(self._laws or self._turns or self._pulling)
+        return bool(self._laws or self._turns or self._warm_started)
 
     @property
-    def smooth(self) -> Array:
+    def law_acceleration(self) -> Array:
         """The acceleration by gravity and laws in the last kick: (n, 3) [m/s², rad/s²].
 
         For kinematic bodies it is the one prescribed by the level.
         """
-        return self._field + self._wrench * self._inverse_mass
+        return self._base_acceleration + self._wrench * self._inverse_mass
 
-    def carry(self, bodies: Integers, acceleration: Array) -> None:
+    def set_prescribed(self, bodies: Integers, acceleration: Array) -> None:
         """Set the accelerations of kinematic bodies: (k, 3)."""
-        self._field[bodies] = acceleration
+        self._base_acceleration[bodies] = acceleration
 
-    def start(self, begun: Array, after: Array) -> None:
+    def start(self, velocity_before: Array, velocity_after: Array) -> None:
         """Note the first half kick: the velocities before and after it [m/s, rad/s]."""
-        self.restart(begun + (begun - after))
+        self.restart(velocity_before + (velocity_before - velocity_after))
 
-    def restart(self, older: Array) -> None:
+    def restart(self, previous_velocity: Array) -> None:
         """Replace the velocities at the beginning of the last kick: (n, 3) [m/s, rad/s]."""
-        if self._guesses:
-            self._older = older
+        if self._extrapolates:
+            self._previous_velocity = previous_velocity
 
     def shift(self, jump: Array) -> None:
         """Add a jump of velocities since the beginning of the last kick: (n, 3) [m/s, rad/s]."""
-        if self._guesses:
-            self._older = self._older + jump
+        if self._extrapolates:
+            self._previous_velocity = self._previous_velocity + jump
 
     @contextmanager
-    def tried(self) -> Iterator[None]:
+    def trial(self) -> Iterator[None]:
         """Restore the state of the last kick after trial kicks."""
-        kept = self._older, self.seen, self._wrench
+        saved = self._previous_velocity, self.law_motion, self._wrench
         self._wrench = self._wrench.copy()
         yield
-        self._older, self.seen, self._wrench = kept
+        self._previous_velocity, self.law_motion, self._wrench = saved
 
-    def held(self, dt: float) -> Array:
+    def acceleration_with_hand(self, dt: float) -> Array:
         """Return the accelerations in a kick of a length [s], including the hand's: (n, 3)."""
         if self.hand is None or not self.hand.hold:
-            return self.smooth
-        return self.smooth + self.hand.pull(self._batch.velocity(), self._inverse, dt)
+            return self.law_acceleration
+        return self.law_acceleration + self.hand.pull(self._batch.velocity(), self._inverse, dt)
 
     def apply(self, kick: Kick) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
-        gained = self._gained(kick) if self._turns else None
-        self.seen = reading = self._read(kick)
-        if self._flows:
-            self._weigh(self._flows, reading.t)
+        constraint_change = self._constraint_change(kick) if self._turns else None
+        self.law_motion = reading = self._read(kick)
+        if self._mass_flows:
+            self._set_masses(self._mass_flows, reading.t)
         wrench = self._wrench
         wrench.fill(0.0)
         for law in self._laws:
             law.add(reading, wrench)
-        if gained is not None:
-            self._turn(reading, wrench, gained, kick.length)
-        if self._pulling:
+        if constraint_change is not None:
+            self._add_rotation(reading, wrench, constraint_change, kick.length)
+        if self._warm_started:
             wrench = wrench.copy()
-            self._pulling.warm_start(wrench)
+            self._warm_started.warm_start(wrench)
         self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
 
-    def _gained(self, kick: Kick) -> Array:
+    def _constraint_change(self, kick: Kick) -> Array:
         """Return the change of velocities by joints and contacts in the last kick: (n, 2) [m/s].
 
         It is unknown, and 0, in the first kick of a motion, which is shorter than a step.
         """
-        if not self._guesses or kick.start is not None or kick.length != kick.clock.dt:
-            return np.zeros_like(self._field[:, :2])
-        return (self._batch.velocity() - self._older - self.smooth * kick.length)[:, :2]
+        if not self._extrapolates or kick.start is not None or kick.length != kick.clock.dt:
+            return np.zeros_like(self._base_acceleration[:, :2])
+        return (
+            self._batch.velocity() - self._previous_velocity - self.law_acceleration * kick.length
+        )[:, :2]
 
-    def _turn(self, reading: Reading, wrench: Array, gained: Array, length: float) -> None:
+    def _add_rotation(
+        self, reading: Reading, wrench: Array, constraint_change: Array, length: float
+    ) -> None:
         """Add the forces that rotate velocities in a kick of a length [s], given all others."""
-        from sandbox.physics.forces.velocity_rotation import rates, turning_acceleration
+        from sandbox.physics.forces.velocity_rotation import rotation_rates, turning_acceleration
 
-        self.turning = rates(self._turns, reading)
-        velocity = self._older[:, :2] if self._guesses else reading.velocity
+        self.turning_rates = rotation_rates(self._turns, reading)
+        velocity = self._previous_velocity[:, :2] if self._extrapolates else reading.velocity
         inverse_mass = self._inverse_mass[:, :2]
-        others = self._field[:, :2] + wrench[:, :2] * inverse_mass + gained / length
-        self.turned = turned = turning_acceleration(self.turning, velocity, others, length)
+        others = (
+            self._base_acceleration[:, :2]
+            + wrench[:, :2] * inverse_mass
+            + constraint_change / length
+        )
+        self.turning_acceleration = acceleration = turning_acceleration(
+            self.turning_rates, velocity, others, length
+        )
         wrench[:, :2] += np.divide(
-            turned, inverse_mass, out=np.zeros_like(turned), where=inverse_mass > 0
+            acceleration, inverse_mass, out=np.zeros_like(acceleration), where=inverse_mass > 0
         )
 
     def _read(self, kick: Kick) -> Reading:
@@ -139,20 +151,20 @@ class Forces:
         less 1/2 of those one step earlier.
         """
         state = self._batch.state()
-        if self._guesses:
+        if self._extrapolates:
             velocity = state[:, 3:].copy()
             state[:, 3:] = 1.5 * velocity - 0.5 * (
-                self._older if kick.start is None else kick.start
+                self._previous_velocity if kick.start is None else kick.start
             )
-            self._older = velocity
+            self._previous_velocity = velocity
         return Reading(np.asarray(kick.t), state)
 
-    def _weigh(self, share: MassFlows, t: Array) -> None:
+    def _set_masses(self, flows: MassFlows, t: Array) -> None:
         """Set the variable masses to those at a time [s], for the kick around it."""
-        now = share(t)
-        for row in share.bodies:
+        fraction = flows(t)
+        for row in flows.bodies:
             body = self._bodies[row]
-            body.mass = self._mass[row] * now[row]
+            body.mass = self._mass[row] * fraction[row]
             if self._moment[row]:
-                body.moment = self._moment[row] * now[row]
-        self._inverse_mass = self._inverse / now[:, None]
+                body.moment = self._moment[row] * fraction[row]
+        self._inverse_mass = self._inverse / fraction[:, None]

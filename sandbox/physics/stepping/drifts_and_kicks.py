@@ -27,37 +27,39 @@ if TYPE_CHECKING:
 class Kicks:
     """Takes the drifts and kicks of a scene in steps of dt [s]; n bodies.
 
-    `touching` tells whether the level has contacts. `clock` counts the steps; the caller counts a
-    step before taking it. `take` takes the last drift of a step and its kick; `parts` are all its
+    `has_contacts` tells whether the level has contacts. `clock` counts the steps; the caller counts
+    a step before taking it. `take` takes the last drift of a step and its kick; `parts` are all its
     drifts and kicks, see `compose`. `trail` has positions and velocities after each part but the
     last, (n, 6) each; None unless kept. `settling` repeats kicks of held bodies until contacts
     converge; None without contacts.
     """
 
-    def __init__(self, scene: Scene, forces: Forces, dt: float, *, touching: bool) -> None:
+    def __init__(self, scene: Scene, forces: Forces, dt: float, *, has_contacts: bool) -> None:
         self.clock, self.forces, self._scene = Clock(dt), forces, scene
         self.trail: list[Array] | None = None
         self._space, self._joints = scene.space, scene.joints
         self._drift_and_kick, self._set_gravity = stepper(self._space), gravity_setter(self._space)
         self._hook: Hook | None = None
-        placed = scene.direct is not None
-        self._held = HeldKicks(scene, self.finish, touching=touching, placed=placed)
-        self.settling = self._held.settling
+        positions = scene.direct is not None
+        self._held_kicks = HeldKicks(
+            scene, self.finish, has_contacts=has_contacts, positions=positions
+        )
+        self.settling = self._held_kicks.settling
         self.compose([once(dt)])
 
     def compose(self, parts: Sequence[Substep]) -> None:
         """Compose all further steps of these drifts and kicks."""
-        self.parts, self._last = parts, parts[-1]
+        self.parts, self._last_part = parts, parts[-1]
         self._kicks = [
             Kick(self.clock, part.ahead, part.kick, part.following, scale=part.scale)
             for part in parts
         ]
-        quietly = partial(self._drift_and_kick, self._last.drift)
-        self.take = self._calling(self._hook) if self._hook else quietly
+        quietly = partial(self._drift_and_kick, self._last_part.drift)
+        self.take = self._with_calls(self._hook) if self._hook else quietly
         if self._joints.together:
             self._joints.together.parts = len(parts)
 
-    def call(self, in_kick: Sequence[Work], after_kick: Sequence[Work]) -> None:
+    def add_calls(self, in_kick: Sequence[Work], after_kick: Sequence[Work]) -> None:
         """Call Python in all further kicks: before pymunk's kick, and after its solver."""
         bodies = self._scene.bodies.values()
         dynamic = next((b for b in bodies if b.body_type == pymunk.Body.DYNAMIC), None)
@@ -65,14 +67,14 @@ class Kicks:
             from sandbox.physics.engine.step_hook import Hook
 
             self._hook = Hook(self._space, dynamic, in_kick, after_kick)
-            self.take = self._calling(self._hook)
+            self.take = self._with_calls(self._hook)
 
-    def _calling(self, hook: "Hook") -> Callable[[], None]:
+    def _with_calls(self, hook: "Hook") -> Callable[[], None]:
         """Return a function that takes the last drift of a step and its kick, with Python calls.
 
         It raises errors from these calls.
         """
-        last, drift_and_kick = self._last, self._drift_and_kick
+        last, drift_and_kick = self._last_part, self._drift_and_kick
         kick = replace(self._kicks[-1], ahead=0)
 
         def take() -> None:
@@ -82,19 +84,19 @@ class Kicks:
 
         return take
 
-    def lead(self) -> None:
+    def take_leading_parts(self) -> None:
         """Take all drifts and kicks of a step but the last."""
         if self.trail is not None:
             self.trail = []
         for part, kick in zip(self.parts[:-1], self._kicks, strict=False):
-            self._turn_to(part, kick)
+            self._prepare(part, kick)
             self._drift_and_kick(part.drift)
             self.finish()
             if self.trail is not None:
                 self.trail.append(self._scene.batch.state())
-        self._turn_to(self._last, self._kicks[-1])
+        self._prepare(self._last_part, self._kicks[-1])
 
-    def _turn_to(self, part: Substep, kick: Kick) -> None:
+    def _prepare(self, part: Substep, kick: Kick) -> None:
         """Prepare the kick of a part of a step."""
         self._joints.time(part.kick, part.following)
         if gravity := self._scene.gravity:
@@ -103,14 +105,14 @@ class Kicks:
         if self._hook:
             self._hook.kick = kick
 
-    def held(self, *, first: bool = False) -> AbstractContextManager[None]:
+    def hold(self, *, first: bool = False) -> AbstractContextManager[None]:
         """Hold all bodies in place, between two steps or before the `first`; see `settle`."""
-        return self._held.held(first=first)
+        return self._held_kicks.hold(first=first)
 
     @contextmanager
-    def tried(self) -> Iterator[None]:
+    def trial(self) -> Iterator[None]:
         """Hold all bodies for trial kicks, which leave no trace."""
-        with self.forces.tried(), self._held.held():
+        with self.forces.trial(), self._held_kicks.hold():
             yield
         self._joints.time(self.clock.dt, self.clock.dt)
 
@@ -129,13 +131,13 @@ class Kicks:
         self._joints.time(length, drift)
         if self._hook:
             self._hook.kick = kick
-        return self._held.kick(kick, self.forces.smooth)
+        return self._held_kicks.kick(kick, self.forces.law_acceleration)
 
     def begin(self, length: float, start: Array) -> Array:
         """Take the first kick, half the last kick of a step; return the velocities after it."""
         if gravity := self._scene.gravity:
             self._space.gravity = gravity.acceleration
-        return self.settle(0, start, length, self._last.following)
+        return self.settle(0, start, length, self._last_part.following)
 
     def keep_trail(self) -> None:
         """Keep the trail of every step from now on."""
@@ -160,7 +162,7 @@ class Kicks:
     def time_calls(self) -> None:
         """Measure the time of these calls from now on."""
         if self._hook:
-            self._hook.timed()
+            self._hook.start_timing()
 
     @property
     def seconds(self) -> float:

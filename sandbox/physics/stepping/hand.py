@@ -39,9 +39,9 @@ def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapsh
     scene, t = setup.scene, setup.kicks.clock.after(0)
     for name, position in positions.items():
         if isfinite(scene.reach) and not max(map(abs, position)) < scene.reach:
-            from sandbox.physics.stepping.stages.grid_bounds import beyond
+            from sandbox.physics.stepping.stages.grid_bounds import out_of_bounds
 
-            raise beyond(name, scene, t)
+            raise out_of_bounds(name, scene, t)
     for name, position in positions.items():
         scene.bodies[name].position = position
         scene.space.reindex_shapes_for_body(scene.bodies[name])

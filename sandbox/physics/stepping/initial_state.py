@@ -22,33 +22,33 @@ def start(setup: Setup, stages: Stages, observer: Observer) -> Observation:
     if setup.leapfrog:
         observed = _half_kick(setup, stages, observer, velocity)
     else:
-        nowhere = np.full_like(velocity, np.nan)
+        unknown = np.full_like(velocity, np.nan)
         scene.joints.time(kicks.clock.dt, kicks.clock.dt)
-        snapshot = observer.snapshot(scene.batch.state(), velocity, nowhere, NO_CONTACTS, np.nan)
+        snapshot = observer.snapshot(scene.batch.state(), velocity, unknown, NO_CONTACTS, np.nan)
         observed = Observation(kicks.clock.steps, snapshot, NO_CONTACTS, velocity, None)
     return observed
 
 
 def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array) -> Observation:
     scene, kicks, forces = setup.scene, setup.kicks, setup.forces
-    lasts = kicks.parts[-1].kick / 2
-    with kicks.held(first=True):
-        after, direct = kicks.begin(lasts, velocity), scene.direct
+    duration = kicks.parts[-1].kick / 2
+    with kicks.hold(first=True):
+        post_kick_velocity, direct = kicks.begin(duration, velocity), scene.direct
         if direct and direct.drifts.kicked is not None:
-            after = direct.drifts.kicked
-        begun = velocity + scene.sequence.last.jump if scene.sequence else velocity
-        acceleration = (after - begun) / lasts
+            post_kick_velocity = direct.drifts.kicked
+        pre_kick_velocity = velocity + scene.sequence.last.jump if scene.sequence else velocity
+        acceleration = (post_kick_velocity - pre_kick_velocity) / duration
         for started in stages.started:
-            if (known := started(begun, acceleration)) is not None:
-                acceleration, after = known, begun + known * lasts
+            if (refined := started(pre_kick_velocity, acceleration)) is not None:
+                acceleration, post_kick_velocity = refined, pre_kick_velocity + refined * duration
         contacts, state = observer.contacts(), scene.batch.state()
         if len(kicks.parts) > 1 and (joints := scene.joints.together):
-            _, acceleration = joints.motion(velocity, forces.smooth)
-        snapshot = observer.snapshot(state, velocity, acceleration, contacts, lasts)
+            _, acceleration = joints.motion(velocity, forces.law_acceleration)
+        snapshot = observer.snapshot(state, velocity, acceleration, contacts, duration)
         if setup.level.effects.contact and not scene.direct:
             # pymunk's warm start consists of impulses: leave it a whole step's
             kicks.settle(0, velocity, kicks.clock.dt, kicks.clock.dt)
-            scene.batch.set_velocity(after)
+            scene.batch.set_velocity(post_kick_velocity)
     scene.joints.time(kicks.clock.dt, kicks.clock.dt)
-    forces.start(begun, after)
+    forces.start(pre_kick_velocity, post_kick_velocity)
     return Observation(kicks.clock.steps, snapshot, contacts, velocity, None)

@@ -38,55 +38,62 @@ MAX_SWEEPS = 5000
 class Settling:
     """Repeats kicks of the n bodies of a scene, which are held in place.
 
-    `placed` tells whether contacts are solved for the positions after the drift, not for
-    velocities; `unsettled`, whether contacts and strings did not converge in the last repetition.
+    `positions` tells whether contacts are solved for the positions after the drift, not for
+    velocities; `is_unsettled`, whether contacts and strings did not converge in the last
+    repetition.
     """
 
-    def __init__(self, scene: Scene, *, placed: bool) -> None:
-        self._space, self._batch, self._placed = scene.space, scene.batch, placed
-        self._lull = DIRECT_LULL if scene.direct else LULL
+    def __init__(self, scene: Scene, *, positions: bool) -> None:
+        self._space, self._batch, self._solves_positions = (scene.space, scene.batch, positions)
+        self._stall_length = DIRECT_LULL if scene.direct else LULL
         self._bodies = [b for b in scene.bodies.values() if b.body_type != pymunk.Body.STATIC]
-        self.unsettled = False
+        self.is_unsettled = False
 
-    def repeat(self, once: Callable[[], Array], kick: Kick, smooth: Array) -> Array:
+    def repeat(self, once: Callable[[], Array], kick: Kick, acceleration: Array) -> Array:
         """Repeat a kick, and return the velocities after the last one: (n, 3).
 
         `once` applies the kick, to the same velocities each time, and returns those after it;
-        `kick` and `smooth` are those of `HeldKicks.kick`.
+        `kick` and `acceleration` are those of `HeldKicks.kick`.
         """
-        close, near = self._tolerances(kick, smooth)
-        swept, after = self._space.iterations, once()
+        rounding, cyclic_rounding = self._tolerances(kick, acceleration)
+        sweeps, after = self._space.iterations, once()
         changes = [inf]
         for count in range(1, MAX_KICKS):
             cancellation_point()
             previous, after = after, once()
             changes.append(float(np.abs(after - previous).max(initial=0.0)))
-            if changes[-1] <= close or self._circles(changes[-2 * self._lull :], near):
+            if changes[-1] <= rounding or self._is_cycling(
+                changes[-2 * self._stall_length :], cyclic_rounding
+            ):
                 break
-            if count % PATIENCE == PATIENCE - 1 and changes[-1] > near:
-                most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
-                self._space.iterations = max(min(2 * self._space.iterations, most), swept)
-        self._space.iterations = swept
-        self.unsettled = changes[-1] > near
+            if count % PATIENCE == PATIENCE - 1 and changes[-1] > cyclic_rounding:
+                most_sweeps = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
+                self._space.iterations = max(min(2 * self._space.iterations, most_sweeps), sweeps)
+        self._space.iterations = sweeps
+        self.is_unsettled = changes[-1] > cyclic_rounding
         return after
 
-    def _tolerances(self, kick: Kick, smooth: Array) -> tuple[float, float]:
+    def _tolerances(self, kick: Kick, acceleration: Array) -> tuple[float, float]:
         """Return the changes of velocities due to rounding, and due to cyclic rounding."""
         assert kick.start is not None
-        pulled = kick.length * np.abs(smooth).max(initial=0.0)
-        close = 1e-15 * float(pulled or np.abs(kick.start).max(initial=0.0))
-        near = UNSETTLED * close
-        if self._placed:
+        velocity_change = kick.length * np.abs(acceleration).max(initial=0.0)
+        rounding = 1e-15 * float(velocity_change or np.abs(kick.start).max(initial=0.0))
+        cyclic_rounding = UNSETTLED * rounding
+        if self._solves_positions:
             from sandbox.physics.contacts.direct.solving.rounding_residual import (
                 left_of_places,
                 spread,
             )
 
-            left = left_of_places(self._batch.state()[:, :3], self._bodies, kick.drift)
-            near = max(near * spread(self._bodies), left)
-        return close, near
+            residual = left_of_places(self._batch.state()[:, :3], self._bodies, kick.drift)
+            cyclic_rounding = max(cyclic_rounding * spread(self._bodies), residual)
+        return rounding, cyclic_rounding
 
-    def _circles(self, changes: Sequence[float], near: float) -> bool:
+    def _is_cycling(self, changes: Sequence[float], cyclic_rounding: float) -> bool:
         """Return whether the changes are near rounding, and no longer decrease."""
-        before, now = changes[: self._lull], changes[self._lull :]
-        return len(now) == self._lull and max(now) <= near and min(now) >= min(before) / 2
+        earlier, latest = changes[: self._stall_length], changes[self._stall_length :]
+        return (
+            len(latest) == self._stall_length
+            and max(latest) <= cyclic_rounding
+            and min(latest) >= min(earlier) / 2
+        )

@@ -22,60 +22,65 @@ if TYPE_CHECKING:
 class HeldKicks:
     """Kicks the n bodies of a scene while they are held in place.
 
-    `finish` completes a kick of pymunk's, and raises errors from it. `placed` tells whether
-    contacts are solved for the positions after the drift, not for velocities. `settling` repeats
-    the kicks; it is None if the scene has no contacts, `touching`.
+    `finish` completes a kick of pymunk's, and raises errors from it. `positions` tells
+    whether contacts are solved for the positions after the drift, not for velocities. `settling`
+    repeats the kicks; it is None if the scene has no contacts, `has_contacts`.
     """
 
     def __init__(
-        self, scene: Scene, finish: Callable[[], None], *, touching: bool, placed: bool = False
+        self,
+        scene: Scene,
+        finish: Callable[[], None],
+        *,
+        has_contacts: bool,
+        positions: bool = False,
     ) -> None:
         self._space, self._batch, self._finish = scene.space, scene.batch, finish
         bodies = enumerate(scene.bodies.values())
         self._moving = {i: b for i, b in bodies if b.body_type != pymunk.Body.STATIC}
-        self._held: dict[int, pymunk.Body] = {}
-        self._holding = False
-        self.settling = _settling(scene, placed=placed) if touching else None
+        self._held_bodies: dict[int, pymunk.Body] = {}
+        self._is_holding = False
+        self.settling = _settling(scene, positions=positions) if has_contacts else None
 
     @contextmanager
-    def held(self, *, first: bool = False) -> Iterator[None]:
+    def hold(self, *, first: bool = False) -> Iterator[None]:
         """Hold all bodies in place while pymunk steps.
 
         Before the `first` step, nothing pushes bodies apart yet, so those at rest stay by
         themselves. That is quicker: pymunk calls Python for each body that is held.
         """
-        if self._holding:
+        if self._is_holding:
             yield
             return
-        self._holding = True
+        self._is_holding = True
         bias, self._space.collision_bias = self._space.collision_bias, 1.0
         if not first:
             self._hold(self._moving)
         try:
             yield
         finally:
-            for body in self._held.values():
+            for body in self._held_bodies.values():
                 body.position_func = pymunk.Body.update_position
-            self._held.clear()
+            self._held_bodies.clear()
             self._space.collision_bias = bias
-            self._holding = False
+            self._is_holding = False
 
     def _hold(self, rows: Iterable[int]) -> None:
         """Hold bodies in place, by their rows, unless they are held or static."""
         for row in rows:
-            if row in self._moving and row not in self._held:
-                self._held[row] = self._moving[row]
-                self._held[row].position_func = _stay
+            if row in self._moving and row not in self._held_bodies:
+                self._held_bodies[row] = self._moving[row]
+                self._held_bodies[row].position_func = _stay
 
-    def kick(self, kick: Kick, smooth: Array) -> Array:
+    def kick(self, kick: Kick, acceleration: Array) -> Array:
         """Kick the held bodies from the velocities of a kick, and return those after it: (n, 3).
 
-        `smooth`, (n, 3), are the approximate accelerations by gravity and force
+        `acceleration`, (n, 3), are the approximate accelerations by gravity and force
         laws [m/s², rad/s²].
         """
         start = kick.start
         assert start is not None
-        if self._holding:
+        if self._is_holding:
             self._hold(np.flatnonzero(start.any(axis=1)).tolist())
 
         def once() -> Array:
@@ -84,13 +89,13 @@ class HeldKicks:
             self._finish()
             return self._batch.velocity()
 
-        return self.settling.repeat(once, kick, smooth) if self.settling else once()
+        return self.settling.repeat(once, kick, acceleration) if self.settling else once()
 
 
-def _settling(scene: Scene, *, placed: bool) -> "Settling":
+def _settling(scene: Scene, *, positions: bool) -> "Settling":
     from sandbox.physics.stepping.kick_iteration import Settling
 
-    return Settling(scene, placed=placed)
+    return Settling(scene, positions=positions)
 
 
 def _stay(_body: pymunk.Body, _dt: float) -> None:

@@ -25,7 +25,7 @@ def branch(world: World, values: Values) -> World:
     changed = [name for name in values if values[name] != world.values[name]]
     if changed and (why := obstacle(world.level, changed)):
         raise SandboxError(why)
-    begin = partial(take_over, now=world.snapshot, steps=world.steps, before=world.scene)
+    begin = partial(take_over, now=world.snapshot, steps=world.steps, old=world.scene)
     branched = make_world(world.level, values, world.stepping, begin)
     branched.disturbed = True
     return branched

@@ -92,7 +92,7 @@ class Stage(NamedTuple):
     refit: Callable[[float], None] | None = None
     contacts: Callable[[], Contacts] | None = None
     impacts: "Callable[[], Sequence[Impact]] | None" = None
-    begun: Callable[[], Array] | None = None
+    pre_kick_velocity: Callable[[], Array] | None = None
     record: "Callable[[StepRecord], StepRecord] | None" = None
     calls: int = 0
 
@@ -117,10 +117,12 @@ class Stages:
         self.refit = tuple(s.refit for s in stages if s.refit)
         self.contacts = next((s.contacts for s in stages if s.contacts), None)
         self.impacts = next((s.impacts for s in stages if s.impacts), None)
-        self.begun = next((s.begun for s in stages if s.begun), None)
+        self.pre_kick_velocity = next(
+            (s.pre_kick_velocity for s in stages if s.pre_kick_velocity), None
+        )
         self.record = tuple(s.record for s in stages if s.record)
         self.calls = sum(s.calls for s in stages)
-        kicks.call(
+        kicks.add_calls(
             [s.in_kick for s in stages if s.in_kick], [s.after_kick for s in stages if s.after_kick]
         )
 
@@ -129,11 +131,11 @@ def set_up(
     level: Level, values: Values, stepping: Stepping, scene: Scene, begin: Begin = None
 ) -> Setup:
     """Return the inputs of the stages of a world."""
-    contact = level.effects.contact is not None
+    has_contacts = level.effects.contact is not None
     # joints alternate with contacts: there a kick begins with their last force
-    pulling = scene.joints.together if contact and scene.direct is None else None
-    forces = Forces(scene, pulling, leapfrog=not stepping.is_stock)
-    kicks = Kicks(scene, forces, 1 / stepping.rate, touching=contact)
+    warm_started = scene.joints.together if has_contacts and scene.direct is None else None
+    forces = Forces(scene, warm_started, leapfrog=not stepping.is_stock)
+    kicks = Kicks(scene, forces, 1 / stepping.rate, has_contacts=has_contacts)
     setup = Setup(level, values, stepping, scene, forces, kicks)
     if begin is not None:
         begin(setup)

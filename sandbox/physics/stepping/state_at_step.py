@@ -27,9 +27,9 @@ class Observation(NamedTuple):
     snapshot: Snapshot
     contacts: Contacts
     """The state, and the contacts."""
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the last kick [m/s, rad/s]."""
-    after: Array | None
+    post_kick_velocity: Array | None
     """(n, 3), the velocities at its end; None at the start of a run."""
 
 
@@ -39,38 +39,40 @@ class Observer:
     def __init__(self, setup: Setup, stages: Stages) -> None:
         self._scene, self._forces, self._kicks = setup.scene, setup.forces, setup.kicks
         self._leapfrog, effects = setup.leapfrog, setup.level.effects
-        self._touching = effects.contact is not None
-        self._strikes = setup.scene.sequence or setup.scene.direct
-        self._bounces = effects.restitution is not None
+        self._has_contacts = effects.contact is not None
+        self._impact_solver = setup.scene.sequence or setup.scene.direct
+        self._has_restitution = effects.restitution is not None
         self._stages = stages
-        self._untouched = np.zeros(len(setup.scene.mass))
-        self._untouched.setflags(write=False)
+        self._no_forces = np.zeros(len(setup.scene.mass))
+        self._no_forces.setflags(write=False)
 
-    def observe(self, begun: Array) -> Observation:
+    def observe(self, pre_kick_velocity: Array) -> Observation:
         """Return the state at the last step.
 
-        `begun`, (n, 3), are the velocities half a kick before the step [m/s, rad/s].
+        `pre_kick_velocity`, (n, 3), are the velocities half a kick before the step [m/s, rad/s].
         """
         state, contacts, direct = self._scene.batch.state(), self.contacts(), self._scene.direct
         if direct and direct.drifts.kicked is not None:  # landing bodies have changed them since
             state[:, 3:] = direct.drifts.kicked
-        rates = self._rates(state, begun, contacts)
+        rates = self._rates(state, pre_kick_velocity, contacts)
         if (impacts := self._stages.impacts) and (found := impacts()):
             from sandbox.physics.events.located_impacts import as_contacts
 
-            contacts = as_contacts(found).and_(contacts)
+            contacts = as_contacts(found).followed_by(contacts)
         snapshot = self.snapshot(state, *rates, contacts, self._kicks.clock.dt)
-        return Observation(self._kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
+        return Observation(
+            self._kicks.clock.steps, snapshot, contacts, pre_kick_velocity, state[:, 3:]
+        )
 
-    def velocity(self, seen: Observation) -> Array:
+    def velocity(self, observation: Observation) -> Array:
         """Return the velocities between the last step and the next: (n, 3) [m/s, rad/s]."""
         if direct := self._scene.direct:
             return direct.velocity()
-        if seen.after is None or seen.steps != self._kicks.clock.steps:
+        if observation.post_kick_velocity is None or observation.steps != self._kicks.clock.steps:
             return self._scene.batch.velocity()
-        return seen.after
+        return observation.post_kick_velocity
 
-    def record(self, seen: Observation) -> "StepRecord":
+    def record(self, observation: Observation) -> "StepRecord":
         """Return the record of the last observed step, for books."""
         from sandbox.physics.energy.step_record import StepRecord
 
@@ -78,13 +80,13 @@ class Observer:
         record = StepRecord(
             steps=kicks.clock.steps,
             dt=kicks.clock.dt,
-            snapshot=seen.snapshot,
-            contacts=seen.contacts,
-            begun=seen.begun,
-            after=seen.after,
-            seen=forces.seen,
-            smooth=forces.smooth,
-            turned=forces.turned,
+            snapshot=observation.snapshot,
+            contacts=observation.contacts,
+            pre_kick_velocity=observation.pre_kick_velocity,
+            post_kick_velocity=observation.post_kick_velocity,
+            law_motion=forces.law_motion,
+            law_acceleration=forces.law_acceleration,
+            turning_acceleration=forces.turning_acceleration,
             parts=kicks.parts,
             trail=kicks.trail or (),
             hold=forces.hand.hold if forces.hand else None,
@@ -95,7 +97,7 @@ class Observer:
 
     def contacts(self) -> Contacts:
         """Return the contacts of the last kick."""
-        if not self._touching:
+        if not self._has_contacts:
             return NO_CONTACTS
         touches = self._scene.joints.touches
         contacts = (self._stages.contacts or self._scene.batch.contacts)()
@@ -112,18 +114,18 @@ class Observer:
         if not self._leapfrog:
             return after, acceleration
         velocity = (before + after) / 2
-        if (turning := self._forces.turning) is not None:
+        if (turning := self._forces.turning_rates) is not None:
             from sandbox.physics.forces.velocity_rotation import at_the_step
 
             velocity[:, :2] = at_the_step(turning, velocity[:, :2], self._kicks.clock.dt)
         if len(parts) > 1 and (joints := self._scene.joints.together):
-            velocity, acceleration = joints.motion(velocity, self._forces.smooth)
-        if self._strikes:
-            struck, half = self._strikes.last, self._kicks.clock.dt / 2
-            if len(hit := np.flatnonzero(struck.struck)):
-                acceleration[hit] = (after - struck.velocity)[hit] / half
-                velocity[hit] = struck.velocity[hit]
-        elif self._touching and (self._bounces or contacts.first.any()):
+            velocity, acceleration = joints.motion(velocity, self._forces.law_acceleration)
+        if self._impact_solver:
+            impacts, half = self._impact_solver.last, self._kicks.clock.dt / 2
+            if len(hit := np.flatnonzero(impacts.struck)):
+                acceleration[hit] = (after - impacts.velocity)[hit] / half
+                velocity[hit] = impacts.velocity[hit]
+        elif self._has_contacts and (self._has_restitution or contacts.first.any()):
             self._take_impacts(state, before, contacts, (velocity, acceleration))
         return velocity, acceleration
 
@@ -134,13 +136,19 @@ class Observer:
         from sandbox.physics.contacts.impacts.impact_step_velocity import impacts
 
         (velocity, acceleration), after = rates, state[:, 3:]
-        scene, smooth, dt = self._scene, self._forces.smooth, self._kicks.clock.dt
+        scene, law_acceleration, dt = (
+            self._scene,
+            self._forces.law_acceleration,
+            self._kicks.clock.dt,
+        )
         if scene.hollows:
             contacts = scene.hollows.impacts(contacts)
-        solid, place = scene.joints.joined, state[:, :3]
-        hit, onwards = impacts(contacts, solid, place, before, after, smooth, scene.mass, dt)
-        acceleration[hit] = onwards
-        velocity[hit] = after[hit] - onwards * (dt / 2)
+        welded, pose = scene.joints.joined, state[:, :3]
+        hit, later_acceleration = impacts(
+            contacts, welded, pose, before, after, law_acceleration, scene.mass, dt
+        )
+        acceleration[hit] = later_acceleration
+        velocity[hit] = after[hit] - later_acceleration * (dt / 2)
 
     def snapshot(
         self, state: Array, velocity: Array, acceleration: Array, contacts: Contacts, kick: float
@@ -150,15 +158,15 @@ class Observer:
         Of `state`, (n, 6), the positions are used; `velocity` and `acceleration`, (n, 3), are those
         at the step, `contacts` those of the kick around it, and `kick` is its length [s].
         """
-        normal = friction = self._untouched
+        normal = friction = self._no_forces
         if len(contacts.bodies):
-            both, count = contacts.bodies.T.ravel(), len(self._untouched)
+            both, count = contacts.bodies.T.ravel(), len(self._no_forces)
             normal, friction = (
                 np.bincount(both, np.concatenate((force, force)), count).astype(float, copy=False)
                 for force in (contacts.normal / kick, contacts.friction / kick)
             )
-            if self._strikes:
-                normal = normal + self._strikes.last.impulse / kick
+            if self._impact_solver:
+                normal = normal + self._impact_solver.last.impulse / kick
         motion = Instant.at(self._kicks.clock.after(0), state, velocity)
         return Snapshot(
             *motion,

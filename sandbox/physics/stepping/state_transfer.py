@@ -18,15 +18,15 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
 
 
-def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
+def take_over(setup: Setup, now: Snapshot, steps: int, old: Scene) -> None:
     """Put a scene into the state of an old world, before the stages of the new one are made.
 
     Time continues from the number of steps that the old world has taken. Bodies and joints that its
     scene has welded, tied, cut or switched stay so.
     """
     setup.scene.batch.set_state(_states(now))
-    _weld(setup, before)
-    _happen(setup, before, steps)
+    _repeat_welds(setup, old)
+    _repeat_events(setup, old, steps)
     _begin_at(setup, steps)
 
 
@@ -36,11 +36,11 @@ def begin_late(setup: Setup, now: Snapshot, steps: int, rows: Mapping[str, int])
     Time continues from the number of steps that the old world has taken. `rows` are those of its
     bodies; those that follow formulas of time keep its state, `now`.
     """
-    batch, before = setup.scene.batch, _states(now)
+    batch, states = setup.scene.batch, _states(now)
     state = np.column_stack((batch.state()[:, :3], batch.velocity()))
     for row, (name, body) in enumerate(setup.level.bodies.items()):
         if body.motion is not None and name in rows:
-            state[row] = before[rows[name]]
+            state[row] = states[rows[name]]
     batch.set_state(state)
     _begin_at(setup, steps)
 
@@ -61,22 +61,22 @@ def _begin_at(setup: Setup, steps: int) -> None:
         scene.direct.go_on(clock.after(0))
 
 
-def _happen(setup: Setup, before: Scene, steps: int) -> None:
+def _repeat_events(setup: Setup, old: Scene, steps: int) -> None:
     """Tie, cut and switch what events had tied, cut and switched in the old world."""
     scene = setup.scene
-    scene.happened.update(before.happened)
-    _catch(scene, before, steps * setup.kicks.clock.dt)
-    for name, t in before.joints.cut.items():
+    scene.event_times.update(old.event_times)
+    _repeat_catches(scene, old, steps * setup.kicks.clock.dt)
+    for name, t in old.joints.cut.items():
         let_go(scene.joints, name, t)
-    if scene.gates and before.gates:
-        scene.gates.reverse(before.gates.reversed)
-    for name, switch in before.switches.items():
+    if scene.gates and old.gates:
+        scene.gates.reverse(old.gates.reversed)
+    for name, switch in old.switches.items():
         scene.switches[name].thrown[:] = switch.thrown
 
 
-def _catch(scene: Scene, before: Scene, now: float) -> None:
+def _repeat_catches(scene: Scene, old_scene: Scene, now: float) -> None:
     """Tie what events had tied, at the present positions and without an impact."""
-    latches, old = scene.joints.latches, before.joints.latches
+    latches, old = scene.joints.latches, old_scene.joints.latches
     if latches is None or old is None:
         return
     if catch(scene.joints, old.tied, now) and scene.joints.together:
@@ -84,9 +84,9 @@ def _catch(scene: Scene, before: Scene, now: float) -> None:
     latches.tied.update(old.tied)
 
 
-def _weld(setup: Setup, before: Scene) -> None:
+def _repeat_welds(setup: Setup, old: Scene) -> None:
     """Weld the bodies that had stuck to each other, at their present positions."""
     joints, names = setup.scene.joints, list(setup.scene.bodies)
-    for a, b in before.joints.joined[len(joints.joined) :].tolist():
+    for a, b in old.joints.joined[len(joints.joined) :].tolist():
         if joints.solids and joints.weld and joints.solids.join(names[a], names[b]):
             joints.weld(names[a], names[b])

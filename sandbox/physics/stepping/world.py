@@ -69,17 +69,17 @@ class World:
     @property
     def snapshot(self) -> Snapshot:
         """The last observed state."""
-        return self._seen.snapshot
+        return self._observation.snapshot
 
     @property
     def contacts(self) -> Contacts:
         """The contacts at the last observation."""
-        return self._seen.contacts
+        return self._observation.contacts
 
     @property
     def last(self) -> "StepRecord":
         """The record of the last observed step, for books."""
-        return self._observer.record(self._seen)
+        return self._observer.record(self._observation)
 
     def keep_trail(self) -> None:
         """Keep the states between the parts of all further steps, for books."""
@@ -128,38 +128,42 @@ class World:
             with np.errstate(all="ignore"):  # the watchdog reports non-finite values by name
                 for _ in range(steps - 1):
                     self.step()
-                before = self._observer.velocity(self._seen)
+                velocity = self._observer.velocity(self._observation)
                 self.step()
-                self._observe(before)
+                self._observe(velocity)
         except Exception as error:  # noqa: BLE001 (as above)
             self._stop(error)
-        return self._seen.snapshot
+        return self._observation.snapshot
 
     @property
     def doubted(self) -> bool:
         """Whether the run has stopped but could go on, with results that cannot be trusted."""
-        return self._ended is not None and self._watch.doubts
+        return self._ended is not None and self._watch.is_doubtful
 
     def go_on(self) -> None:
         """Continue a run that is `doubted`, as pymunk would."""
         assert self.doubted
-        self._watch.doubts, self._watch.trusts = False, True
+        self._watch.is_doubtful, self._watch.ignores_doubts = False, True
         self._ended, self.disturbed = None, True
 
     def _start(self) -> None:
         """Observe the initial state, and take the first half kick."""
-        self._seen = seen = start(self._setup, self._stages, self._observer)
-        self._watch = make_watch(self, seen.snapshot, seen.contacts, seen.begun)
+        self._observation = now = start(self._setup, self._stages, self._observer)
+        self._watch = make_watch(self, now.snapshot, now.contacts, now.pre_kick_velocity)
 
-    def _observe(self, begun: Array) -> None:
+    def _observe(self, velocity: Array) -> None:
         """Observe the state, and let the watchdog check it."""
         stages = self._stages
         try:
-            self._seen = seen = self._observer.observe(stages.begun() if stages.begun else begun)
+            self._observation = now = self._observer.observe(
+                stages.pre_kick_velocity() if stages.pre_kick_velocity else velocity
+            )
             cut, disturbed = bool(stages.impacts and stages.impacts()), self.disturbed
-            self._watch.look(seen.snapshot, seen.contacts, seen.begun, disturbed=disturbed, cut=cut)
+            self._watch.check(
+                now.snapshot, now.contacts, now.pre_kick_velocity, disturbed=disturbed, cut=cut
+            )
         except Exception:
-            self._seen = self._seen._replace(snapshot=self._watch.good)
+            self._observation = self._observation._replace(snapshot=self._watch.last_good)
             raise
 
     def _stop(self, error: Exception) -> NoReturn:
@@ -171,7 +175,7 @@ class World:
 
     def recall(self, snapshot: Snapshot) -> None:
         """Show an earlier observed state; the world must take no step after that."""
-        self._seen = self._seen._replace(snapshot=snapshot)
+        self._observation = self._observation._replace(snapshot=snapshot)
 
     def grab(self, body: str, point: tuple[float, float]) -> None:
         """Grab a dynamic body at a point of the plane [m], as with a stiff spring.
@@ -210,4 +214,4 @@ class World:
             self._start()
         except Exception as error:  # noqa: BLE001 (as above)
             self._stop(error)
-        return self._seen.snapshot
+        return self._observation.snapshot

@@ -16,7 +16,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.physics.accuracy import accuracy_study, calibration_cache
 from sandbox.physics.accuracy.accuracy_study import CurrentSetting, WorkPrecisionPoint
-from sandbox.physics.accuracy.trusted_digits import surviving
+from sandbox.physics.accuracy.trusted_digits import certain_digits
 from sandbox.physics.run import build
 from tests.app import scenes, work
 from tests.app.person import Person, until
@@ -263,7 +263,7 @@ def test_only_digits_that_survive_are_shown_and_how_far_they_go(informed: Person
 def test_digits_survive_that_are_larger_than_the_error(
     value: float, off: float, digits: int
 ) -> None:
-    assert surviving(value, off) == digits
+    assert certain_digits(value, off) == digits
 
 
 def test_digits_survive_in_the_unit_that_is_read() -> None:

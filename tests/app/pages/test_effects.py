@@ -80,8 +80,8 @@ def test_the_difference_is_told_in_the_levels_quantities_and_in_time() -> None:
     told = whatif.summary(session, found)
 
     half_way = simulate(session.original).columns["ball.speed"][30]
-    assert found[1].before == pytest.approx(half_way)
-    assert found[1].after == pytest.approx(100 * (1 - np.exp(-0.05)), rel=1e-4)
+    assert found[1].first == pytest.approx(half_way)
+    assert found[1].second == pytest.approx(100 * (1 - np.exp(-0.05)), rel=1e-4)
     assert told.startswith("with drag (linear 0.1): ")
     assert "half way −2.4" in told
     assert told.endswith("ms a step")

@@ -140,7 +140,7 @@ def test_every_mistake_of_a_level_is_told_in_german() -> None:
     with pytest.raises(LevelError) as caught:
         parse(text)
 
-    assert [language.say(mistake.told) for mistake in caught.value.mistakes] == [
+    assert [language.say(mistake.unplaced) for mistake in caught.value.mistakes] == [
         'title: darf nicht leer sein (gefunden: "")',
         "duration: „2s“ ist keine Rechnung; ein Produkt schreibt man 2*m, nicht 2m",
         "effects.gravitee: unbekannter Effekt „gravitee“; ist „gravity“ gemeint?",

@@ -17,7 +17,7 @@ from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.editing.suggested_checks import suggestions, take
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model.errors import SandboxError
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import points
 from sandbox.model.loading import parse
 from sandbox.physics.geometry.outline_distance import gap
@@ -102,7 +102,7 @@ def test_the_point_that_holds_a_block_on_its_slope_turns_along() -> None:
     text = tilt(text, parse(text), "box1")
     level = parse(put(text, ("parameters", "angle", "value"), 50))
     block = placed(level)["box1"]
-    end = place(points(level.joints["spring1"])[1], level.bodies, level.defaults)
+    end = end_position(points(level.joints["spring1"])[1], level.bodies, level.defaults)
 
     assert abs((end - block.center) / block.turn + 2) < 1e-9
 

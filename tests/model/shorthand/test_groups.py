@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import Joint, bodies_of, ends_of
 from sandbox.model.joints.stops import AngleStop
 from sandbox.model.level import Level
@@ -60,7 +60,7 @@ def test_a_group_is_turned_and_moved_as_one(
     def there(px: float, py: float) -> complex:
         return complex(x, y) + rect(1, angle) * complex(px, py)
 
-    places = {name: place(name, found.bodies, VALUES) for name in found.bodies}
+    places = {name: end_position(name, found.bodies, VALUES) for name in found.bodies}
     assert places["left_a"] == pytest.approx(there(0, 0), abs=1e-12)
     assert places["left_b"] == pytest.approx(there(1, 0.5), abs=1e-12)
     assert found.bodies["left_b"].angle(VALUES) == pytest.approx(0.2 + angle, abs=1e-12)
@@ -68,7 +68,7 @@ def test_a_group_is_turned_and_moved_as_one(
     assert speed == pytest.approx(rect(1, angle), abs=1e-12)
     (_, first), (_, hook) = ends_of(found.joints["left_hook"])
     assert first == "left_a"
-    assert place(hook, found.bodies, VALUES) == pytest.approx(there(0, 2), abs=1e-12)
+    assert end_position(hook, found.bodies, VALUES) == pytest.approx(there(0, 2), abs=1e-12)
     direction = found.joints["left_rail"].direction  # type: ignore[union-attr]
     way = complex(*(part(VALUES) for part in direction))
     assert way == pytest.approx(rect(1, angle), abs=1e-12)

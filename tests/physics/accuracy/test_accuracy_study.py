@@ -17,7 +17,7 @@ from sandbox.physics.accuracy.accuracy_study import (
 )
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.compared_runs import motion, record, scaled
-from sandbox.physics.accuracy.step_refinement import furthest
+from sandbox.physics.accuracy.step_refinement import largest_relative_difference
 from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
@@ -85,7 +85,7 @@ def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
     level = load(find("machines/trapdoor"))
     fine = record(level, level.defaults, level.stepping.at(4 * 240), list(motion(level)))
     run = record(level, level.defaults, level.stepping, list(motion(level)))
-    true, _ = furthest(run, fine, scaled(list(motion(level)), fine))
+    true, _ = largest_relative_difference(run, fine, scaled(list(motion(level)), fine))
 
     found = list(accuracy_study.split(level, level.defaults))
 
@@ -167,7 +167,7 @@ def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
         assert [point.cost for point in own] == sorted(point.cost for point in own)
     coarse = {point.scheme: point.error for point in points if point.rate == 30}
     assert coarse["leapfrog"] < 0.01 * coarse["symplectic-euler"]
-    shares = [each.share for each in found if isinstance(each, Progress)]
+    shares = [each.fraction for each in found if isinstance(each, Progress)]
     assert shares == sorted(shares)
 
 
@@ -179,7 +179,7 @@ def test_a_setting_is_looked_for() -> None:
 
     assert isinstance(setting, Setting)
     assert setting.chosen.error <= 1e-4
-    runs = [str(each.now) for each in told if isinstance(each, Progress)]
+    runs = [str(each.detail) for each in told if isinstance(each, Progress)]
     assert any("fourth-order at" in run for run in runs)
     assert "the error so far is" in runs[-1]
 

@@ -32,7 +32,7 @@ from sandbox.physics.accuracy.chaos_detection import chaotic
 from sandbox.physics.accuracy.compared_runs import (
     Stop,
     Watched,
-    apart,
+    largest_difference,
     never,
     record,
     record_around,
@@ -101,7 +101,7 @@ def test_whatever_a_clock_says_the_search_comes_to_an_end(
 
     with suppress(AccuracyError):
         setting = calibrate(orbit(0.8), target=1e-9)
-        assert setting.playable.stepping.rate <= HIGHEST_RATE
+        assert setting.for_playing.stepping.rate <= HIGHEST_RATE
     assert time.monotonic() - begun < 60  # 0.8; 15 if it stands still
 
 
@@ -147,9 +147,13 @@ def test_a_composed_scheme_may_take_longer_steps_but_is_drawn_in_short_ones() ->
 
     assert 7.5 / 4 <= setting.chosen.stepping.rate < 15
     assert 1e-11 < max(off) <= setting.chosen.error * 3 <= 3e-9  # m, m/s: up to 1 m, 1 m/s
-    assert setting.playable.stepping == setting.drawn.stepping == setting.chosen.stepping.at(30)
-    assert setting.playable.error == setting.chosen.error
-    assert setting.playable.cost > setting.chosen.cost
+    assert (
+        setting.for_playing.stepping
+        == setting.for_drawing.stepping
+        == setting.chosen.stepping.at(30)
+    )
+    assert setting.for_playing.error == setting.chosen.error
+    assert setting.for_playing.cost > setting.chosen.cost
 
 
 def test_what_is_exact_at_any_rate_gets_a_low_one() -> None:
@@ -350,7 +354,7 @@ def test_a_velocity_is_compared_around_the_time_where_a_force_ends() -> None:
         for parts in (1, 4)
     )
 
-    assert (apart(run, finer, item) or 0) > 1e-3
+    assert (largest_difference(run, finer, item) or 0) > 1e-3
 
 
 @pytest.mark.sweep
@@ -414,11 +418,11 @@ def test_a_rate_between_two_runs_is_where_the_error_would_be_as_asked_for() -> N
     """1.6e-3 at 60 Hz, 1e-4 at 120 Hz: of fourth order, 3.2e-4 is had at 90 Hz, 4e-4 at 85 Hz."""
     steppings = (Stepping(rate=rate, scheme="fourth-order") for rate in (60, 120, 240))
     runs = [simulate(oscillator(), record=["ball.position.x"], stepping=s) for s in steppings]
-    refinement = Refinement(tuple(runs), (1.6e-3, 1e-4, 6e-6), ((6e-6, 4.0),), seen=2)
+    refinement = Refinement(tuple(runs), (1.6e-3, 1e-4, 6e-6), ((6e-6, 4.0),), confirmed=2)
 
-    assert refinement.between(4e-4) == 90  # half-way: in step with both
-    assert refinement.between(1.01e-4) is None  # hardly lower
-    assert refinement.between(2e-3) is None  # nothing is known of lower ones
+    assert refinement.rate_between(4e-4) == 90  # half-way: in step with both
+    assert refinement.rate_between(1.01e-4) is None  # hardly lower
+    assert refinement.rate_between(2e-3) is None  # nothing is known of lower ones
 
 
 def boxes(count: int, **contact: object) -> Level:
@@ -596,10 +600,10 @@ def test_no_run_of_a_search_is_taken_twice(monkeypatch: pytest.MonkeyPatch) -> N
         stepping: Stepping,
         wanted: Sequence[Watched],
         stop: Stop,
-        look_at: Callable[[Recorder], None] | None = None,
+        inspect: Callable[[Recorder], None] | None = None,
     ) -> Trace:
         taken.append(stepping.model_copy(update={"iterations": 1}))
-        return record(level, values, stepping, wanted, stop, look_at=look_at)
+        return record(level, values, stepping, wanted, stop, inspect=inspect)
 
     for module in (setting_search, refinement_search):
         monkeypatch.setattr(module, "record", noted)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Stepping
-from sandbox.physics.accuracy.compared_runs import apart, checked, record
+from sandbox.physics.accuracy.compared_runs import checked, largest_difference, record
 from sandbox.physics.accuracy.error_estimate import estimate
 from tests.physics.accuracy.test_calibration import catalog_level, check, delivered, oscillator
 from tests.physics.scenes import GRAVITY, disc, level
@@ -51,12 +51,12 @@ def test_an_instant_near_the_end_is_read_off_equal_steps() -> None:
     scene = catalog_level("energy/figure-eight")
     wanted = [item for item in checked(scene, scene.defaults) if item.at is not None]
     stepping = Stepping(rate=600, scheme="fourth-order")
-    seldom = record(scene, scene.defaults, stepping, wanted, seen=240)
-    always = record(scene, scene.defaults, stepping, wanted, seen=600)
+    seldom = record(scene, scene.defaults, stepping, wanted, observation_rate=240)
+    always = record(scene, scene.defaults, stepping, wanted, observation_rate=600)
 
     assert wanted
     for item in wanted:
-        assert apart(seldom, always, item) == pytest.approx(0, abs=1e-8)
+        assert largest_difference(seldom, always, item) == pytest.approx(0, abs=1e-8)
     assert np.ptp(np.diff(seldom.t)) < 1e-12
 
 

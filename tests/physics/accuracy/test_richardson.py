@@ -7,9 +7,9 @@ import pytest
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
-from sandbox.physics.accuracy.event_timing_errors import hidden
+from sandbox.physics.accuracy.event_timing_errors import hidden_error
 from sandbox.physics.accuracy.richardson import extrapolated
-from sandbox.physics.accuracy.step_refinement import furthest, judged
+from sandbox.physics.accuracy.step_refinement import largest_relative_difference, with_errors
 from sandbox.physics.measuring.recording import Trace
 from tests.physics.scenes import GRAVITY, G, disc, level, orbit
 
@@ -28,7 +28,7 @@ def test_errors_fall_by_the_order_of_the_scheme() -> None:
 
     assert found is not None
     assert found.order == pytest.approx(2, abs=0.01)
-    assert found.of[0] == pytest.approx(16 * found.of[-1], rel=0.05)
+    assert found.absolute[0] == pytest.approx(16 * found.absolute[-1], rel=0.05)
 
 
 @pytest.mark.sweep
@@ -41,7 +41,7 @@ def test_runs_that_agree_by_chance_are_told_no_better_than_the_order_allows() ->
 
     assert true is not None
     assert found is not None
-    assert found.of[-1] == pytest.approx(true.of[-1], rel=0.05)
+    assert found.absolute[-1] == pytest.approx(true.absolute[-1], rel=0.05)
 
 
 def twice(coarse: Trace, fine: Trace) -> Array:
@@ -64,10 +64,10 @@ def test_a_rope_that_goes_taut_is_told_as_it_is(x: float) -> None:
     [best] = runs(scene, 3840)
     wanted = scaled(watched(scene, scene.defaults), best)
 
-    told = judged(traces, wanted).errors[-1]
+    told = with_errors(traces, wanted).errors[-1]
 
-    assert hidden(traces[-1], wanted).item is None
-    assert 0.5 * told < furthest(traces[-1], best, wanted)[0] < 2 * told
+    assert hidden_error(traces[-1], wanted).item is None
+    assert 0.5 * told < largest_relative_difference(traces[-1], best, wanted)[0] < 2 * told
 
 
 def test_a_peak_between_two_steps_is_told() -> None:
@@ -79,7 +79,7 @@ def test_a_peak_between_two_steps_is_told() -> None:
     run = record(scene, {}, Stepping(rate=30), [item])
     missed = G * top**2 / 2 - run.columns[item.quantity].max()
 
-    off = hidden(run, [item])
+    off = hidden_error(run, [item])
 
     assert missed == pytest.approx(G * step**2 / 8, rel=1e-6)
     assert off.error * (G * top**2 / 2 - missed) == pytest.approx(missed, rel=1e-6)

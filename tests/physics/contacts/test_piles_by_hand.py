@@ -179,7 +179,7 @@ def test_what_one_piles_up_by_hand_stands(name: str) -> None:
     assert np.abs(now.angular_velocity).max() < 1e-9
     assert deepest < 1e-6  # m; 2e-8 seen
     assert now.normal[ground] == pytest.approx(weight * cos(slanted * SLOPE), rel=1e-6)
-    assert books.closing.unexplained < 1e-4 * books.closing.turned + 1e-9  # J; 5e-5 seen
+    assert books.closing.unexplained < 1e-4 * books.closing.turnover + 1e-9  # J; 5e-5 seen
     if not slanted:  # they slip while they land
         assert aside(world) < 1e-9  # m; 1e-12 seen
 
@@ -205,7 +205,7 @@ def test_books_come_to_rest_against_a_wall() -> None:
 
     assert np.abs(world.snapshot.velocity).max() < 1e-9  # m/s; 3e-15 seen
     assert deepest < 1e-6  # m; 1e-9 seen
-    assert books.closing.unexplained < 0.01 * books.closing.turned
+    assert books.closing.unexplained < 0.01 * books.closing.turnover
 
 
 @pytest.mark.sweep
@@ -231,7 +231,7 @@ def test_dominoes_fall_on_each_other() -> None:
     assert now.angle[7] == pytest.approx(-pi / 2, abs=1e-6)  # 4e-8 seen, as it lies 2e-8 m deep
     assert np.abs(now.velocity).max() < 1e-9  # m/s
     assert deepest < 1e-6  # m
-    assert books.closing.unexplained < 0.01 * books.closing.turned
+    assert books.closing.unexplained < 0.01 * books.closing.turnover
 
 
 def triangles(seed: int | None = None) -> Level:
@@ -264,7 +264,7 @@ def test_corners_stay_in_the_corners_of_a_bin() -> None:
 
     assert world.scene.direct
     assert deepest < 1e-4  # m; 2e-5 seen
-    assert books.closing.unexplained < 0.02 * books.closing.turned
+    assert books.closing.unexplained < 0.02 * books.closing.turnover
 
 
 @pytest.mark.sweep
@@ -274,7 +274,7 @@ def test_triangles_that_are_poured_do_not_sink_into_each_other(seed: int) -> Non
     _, deepest, books = course(triangles(seed), 1)
 
     assert deepest < 1e-5  # m; 8e-7 seen
-    assert books.closing.unexplained < 0.01 * books.closing.turned
+    assert books.closing.unexplained < 0.01 * books.closing.turnover
 
 
 @pytest.mark.parametrize(
@@ -318,6 +318,6 @@ def test_a_heavy_disc_drives_a_light_one_into_a_wall(ratio: float) -> None:
     swept = course(level(bodies, {"contact": SWEPT}), 2)[2].closing
     left = course(level(bodies, {"contact": {}}), 2)[2].closing
 
-    assert swept.unexplained > 0.02 * swept.turned
+    assert swept.unexplained > 0.02 * swept.turnover
     assert left.unexplained < 1e-12  # J
     assert not is_direct(level({**bodies, "heavy": disc(mass=3)}, {"contact": {}}))

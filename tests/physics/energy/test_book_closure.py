@@ -34,7 +34,7 @@ def test_where_forces_are_constant_the_books_close_to_rounding() -> None:
     found = closing(atwood(1, 1.5))
 
     assert found.closes
-    assert found.unexplained < 1e-13 * found.turned
+    assert found.unexplained < 1e-13 * found.turnover
     assert found.text.startswith("closes to ")
 
 
@@ -44,7 +44,7 @@ def test_a_spring_is_unexplained_by_no_more_than_its_step_and_about_as_much(rate
     found = closing(swing(rate), 2.0)
 
     assert found.closes
-    assert found.unexplained == pytest.approx(40 / rate**2 / 4 * found.turned, rel=0.02)
+    assert found.unexplained == pytest.approx(40 / rate**2 / 4 * found.turnover, rel=0.02)
     assert found.bound == pytest.approx(2 * found.unexplained, rel=0.02)
 
 
@@ -52,7 +52,7 @@ def test_a_bend_that_is_too_sharp_for_the_steps_is_told() -> None:
     """What is thrown past the centre of an attraction is not where it would be."""
     found = closing(orbit(speed=0.3, rate=60), 4.0)
 
-    assert found.share > 1e-2
+    assert found.unexplained_fraction > 1e-2
 
 
 def test_eulers_scheme_does_not_close() -> None:
@@ -85,7 +85,7 @@ def test_what_overlaps_gave_is_told() -> None:
 def test_books_of_far_too_coarse_steps_do_not_close_whatever_these_may_leave(
     unexplained: float, text: str
 ) -> None:
-    found = Closing(turned=7000, unexplained=unexplained, overlaps=0, bound=9500, scale=7000)
+    found = Closing(turnover=7000, unexplained=unexplained, overlaps=0, bound=9500, scale=7000)
 
     assert not found.closes
     assert found.text == text
@@ -117,4 +117,4 @@ def test_what_rests_on_springs_turns_nothing_over_but_rounding(far: float) -> No
 
 def test_a_load_that_hops_without_gaining_is_told_by_its_books() -> None:
     """Each landing takes what the hop gave: forces are wrong by far, and nothing diverges."""
-    assert closing(straddle(4000), 0.2).share > 0.1
+    assert closing(straddle(4000), 0.2).unexplained_fraction > 0.1

@@ -131,7 +131,7 @@ def test_no_jolt_takes_back_what_the_kick_before_it_lost(monkeypatch: pytest.Mon
     place = world.scene.batch.state()[:, :3]
     jolt = Jolt(world.last.t, place, begun, begun + along[0], pulls, NO_CONTACTS, elastic=False)
     acted = EventEntries(begun, 0.0, (), (), np.zeros(3), 0.0, (jolt,))
-    monkeypatch.setattr(World, "last", world.last._replace(acted=acted))
+    monkeypatch.setattr(World, "last", world.last._replace(events=acted))
     ledger.note()
 
     assert ledger.balance.loss["impacts"] == pytest.approx(2.25)

@@ -53,8 +53,8 @@ def test_the_instant_is_found_within_the_step_to_second_order() -> None:
 def test_what_bears_just_enough_holds() -> None:
     most = 3 * G
 
-    assert not booked(swung(1.001 * most), 1)[0].scene.happened
-    assert booked(swung(0.999 * most), 1)[0].scene.happened
+    assert not booked(swung(1.001 * most), 1)[0].scene.event_times
+    assert booked(swung(0.999 * most), 1)[0].scene.event_times
 
 
 def test_what_must_bear_too_much_from_the_start_breaks_there() -> None:
@@ -65,7 +65,7 @@ def test_what_must_bear_too_much_from_the_start_breaks_there() -> None:
     )
     world, _ = booked(this, 1)
 
-    assert world.scene.happened == {"strut breaks": 0}
+    assert world.scene.event_times == {"strut breaks": 0}
     assert world.snapshot.velocity[0, 1] == pytest.approx(-G, rel=1e-12)
 
 
@@ -85,7 +85,7 @@ def test_the_one_that_is_furthest_beyond_its_load_saves_the_rest() -> None:
     }
     world, _ = booked(level(pieces, {**GRAVITY, "rotation": {}}, joints=welds), 0.5)
 
-    assert world.scene.happened == {"weld1 breaks": 0}
+    assert world.scene.event_times == {"weld1 breaks": 0}
 
 
 @pytest.mark.parametrize("height", [0.1, 0.11, 0.12, 0.13])
@@ -96,7 +96,7 @@ def test_a_rope_that_a_jerk_breaks_takes_nothing_wherever_in_the_step_it_is(
     world, books = booked(caught(500, 240, height, **effects), 0.8)
 
     assert world.snapshot.velocity[0, 1] == pytest.approx(-0.8 * G, rel=1e-9)
-    assert list(world.scene.happened) == ["rope breaks"]
+    assert list(world.scene.event_times) == ["rope breaks"]
     assert abs(books.balance.unexplained) < 1e-9
     assert books.balance.loss["impacts"] == pytest.approx(0, abs=1e-12)
 
@@ -104,7 +104,7 @@ def test_a_rope_that_a_jerk_breaks_takes_nothing_wherever_in_the_step_it_is(
 def test_a_rope_that_bears_the_jerk_within_a_step_stops_the_fall() -> None:
     world, books = booked(caught(2000, 240, 0.1), 0.8)
 
-    assert not world.scene.happened
+    assert not world.scene.event_times
     assert world.snapshot.velocity[0, 1] == pytest.approx(0, abs=1e-12)
     assert books.balance.loss["impacts"] == pytest.approx(1.1 * G, rel=1e-3)
 
@@ -119,7 +119,7 @@ def test_a_blow_leaves_the_rope_that_it_does_not_go_through() -> None:
     ropes = {f"{name}_rope": rope for name, rope in ropes.items()}
     world, _ = booked(level(bodies, GRAVITY, joints=ropes), 1)
 
-    assert list(world.scene.happened) == ["weak_rope breaks"]
+    assert list(world.scene.event_times) == ["weak_rope breaks"]
     assert world.snapshot.velocity[:, 1].tolist() == pytest.approx([-G, 0], abs=1e-9)
 
 
@@ -144,7 +144,7 @@ def test_a_branch_knows_what_has_broken() -> None:
     other = branch(world, {})
     other.advance(10)
 
-    assert other.scene.happened == world.scene.happened
+    assert other.scene.event_times == world.scene.event_times
     assert other.snapshot.tension[0] == 0
 
 

@@ -55,7 +55,7 @@ def dumbbell(rate: float) -> Level:
 def happened(this: Level, seconds: float = BOUNCED) -> float | None:
     world = build(this)
     world.advance(round(seconds * this.stepping.rate))
-    return world.scene.happened.get("event")
+    return world.scene.event_times.get("event")
 
 
 def assert_bounced(this: Level) -> None:
@@ -64,7 +64,7 @@ def assert_bounced(this: Level) -> None:
     t = BOUNCED - FALL
     assert world.snapshot.position[1, 1] == pytest.approx(0.1 + SPEED * t - G * t**2 / 2, abs=1e-7)
     assert abs(ledger.balance.unexplained) < 1e-4
-    assert "event" in world.scene.happened
+    assert "event" in world.scene.event_times
 
 
 @pytest.mark.parametrize("share", [0.02, 0.3, 0.5, 0.9])

@@ -66,7 +66,7 @@ def test_a_coupling_takes_the_energy_of_the_motion_against_each_other_and_no_mom
     assert balance.loss["impacts"] == pytest.approx(m1 * m2 / (m1 + m2) * v**2 / 2, rel=1e-9)
     assert abs(balance.unexplained) < 1e-12 * m1 * v**2
     assert np.abs(balance.unexplained_impulse).max() < 1e-11 * m1 * v
-    assert world.scene.happened["click"] == pytest.approx(1.817 / v, rel=1e-12)
+    assert world.scene.event_times["click"] == pytest.approx(1.817 / v, rel=1e-12)
 
 
 def test_it_holds_the_distance_at_which_it_was_tied_whatever_the_step() -> None:
@@ -104,7 +104,7 @@ def test_what_is_caught_off_its_centre_turns_and_keeps_its_angular_momentum(
     mass = np.array([2.0, 3.0])
     turning = now.position[:, 0] * now.velocity[:, 1] - now.position[:, 1] * now.velocity[:, 0]
 
-    assert "click" in world.scene.happened
+    assert "click" in world.scene.event_times
     assert np.sum(mass * turning + moment * now.angular_velocity) == pytest.approx(-8.8, rel=1e-12)
     assert mass @ now.velocity == pytest.approx([8, 0], abs=1e-12)
     assert abs(books.balance.unexplained) < 1e-4
@@ -204,7 +204,7 @@ def test_a_branch_knows_what_has_caught() -> None:
     branched = branch(world, world.values)
 
     ahead, behind = world.advance(30), branched.advance(30)
-    assert branched.scene.happened == world.scene.happened
+    assert branched.scene.event_times == world.scene.event_times
     assert behind.position == pytest.approx(ahead.position, rel=1e-12)
 
 
@@ -233,7 +233,7 @@ def test_a_coupling_breaks_before_it_gives_anything_if_it_bears_less_than_the_im
         world, books = booked(wagons(m1, m2, v, rate, kind, breaks_at=load), 1.817 / v + 0.1)
 
         assert world.snapshot.velocity[:, 0] == pytest.approx(after, rel=1e-12)
-        assert ("hook breaks" in world.scene.happened) == (load < force)
+        assert ("hook breaks" in world.scene.event_times) == (load < force)
         assert abs(books.balance.unexplained) < 1e-12 * m1 * v**2
 
 
@@ -277,7 +277,7 @@ def test_what_has_caught_breaks_when_its_force_has_grown(effects: dict[str, obje
 
     world, _ = booked(this, 3)
 
-    assert world.scene.happened["hook breaks"] == pytest.approx(2.1, abs=1e-9)
+    assert world.scene.event_times["hook breaks"] == pytest.approx(2.1, abs=1e-9)
     assert world.snapshot.velocity[:, 0] == pytest.approx([451.6, 1621.6], rel=1e-9)
 
 
@@ -367,6 +367,6 @@ def test_many_crossings_in_a_step_are_located_one_by_one(*, backwards: bool) -> 
     world.advance()
 
     assert process_time() - start < 2  # 0.5 s
-    found = [world.scene.happened[name] for name in names]
+    found = [world.scene.event_times[name] for name in names]
     fallen = 5 - np.array(heights[::-1] if backwards else heights)
     assert found == pytest.approx(np.sqrt(2 * fallen / 9.81), rel=1e-9)

@@ -130,8 +130,8 @@ def test_a_rope_that_pulls_too_hard_takes_the_others_with_it() -> None:
     }
     world = run(level({"ball": disc()}, GRAVITY, joints=ropes, events=events), 2)
 
-    assert world.scene.happened["first"] == pytest.approx(0.31, rel=1e-12)
-    assert world.scene.happened["second"] > 0.31
+    assert world.scene.event_times["first"] == pytest.approx(0.31, rel=1e-12)
+    assert world.scene.event_times["second"] > 0.31
     assert world.snapshot.tension.tolist() == [0, 0]
     assert world.snapshot.acceleration[0, 1] == pytest.approx(-G, rel=1e-9)
 
@@ -197,7 +197,7 @@ def test_looking_at_steps_changes_no_bit() -> None:
     for _ in range(90):
         other.advance()
 
-    assert one.scene.happened == other.scene.happened
+    assert one.scene.event_times == other.scene.event_times
     assert (one.scene.batch.state() == other.scene.batch.state()).all()
 
 
@@ -206,7 +206,7 @@ def test_a_branch_knows_what_has_happened() -> None:
     world.advance(60)
     branched = branch(world, world.values)
 
-    assert branched.scene.happened == world.scene.happened
+    assert branched.scene.event_times == world.scene.event_times
     ahead, behind = world.advance(30), branched.advance(30)
     assert behind.position == pytest.approx(ahead.position, rel=1e-12)
 

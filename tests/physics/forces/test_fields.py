@@ -41,7 +41,7 @@ def test_a_formula_moves_bodies_as_the_effect_that_it_spells_out(
 def test_what_does_not_look_at_velocities_is_not_taken_for_a_drag() -> None:
     """At 10 Hz drag of 300 kg/s on 3 kg would be refused; a spring of a formula is not."""
     still = probe({"field": [{"force": ["-30*x", "-30*y"]}]}, stepping={"rate": 10})
-    assert not build(still).scene.laws[0].effect.sees_velocity
+    assert not build(still).scene.laws[0].effect.depends_on_velocity
 
     with pytest.raises(Exception, match="the effect 'field' on 'far' needs a 'rate' of at least"):
         build(probe({"field": [{"force": ["-300*vx", 0]}]}, stepping={"rate": 10}))

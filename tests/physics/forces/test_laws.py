@@ -85,7 +85,7 @@ def smooth(law: Law, places: Array) -> Array:
     if isinstance(law, Gravitation) and np.hypot(*(places[0, :2] - places[1, :2])) < 1:
         places[0, 0] += 3
     if isinstance(law, SpringForce):
-        (a, _, _), (b, _, _) = (end.look(instant(places)) for end in law.ends)
+        (a, _, _), (b, _, _) = (end.kinematics(instant(places)) for end in law.ends)
         places[0, 0] += 3 * (abs(a - b) < 1)
     return places
 
@@ -110,7 +110,7 @@ def test_constant_forces_on_a_body_are_one() -> None:
     few = build(level({"a": disc()}, {"force": pushes[:1]}))
     many = build(level({"a": disc(), "b": disc((3, 0))}, {"force": [*pushes, varying]}))
 
-    assert (len(few.scene.hooked), len(many.scene.hooked)) == (1, 2)
+    assert (len(few.scene.hooked_laws), len(many.scene.hooked_laws)) == (1, 2)
     assert many.advance().acceleration[0] == pytest.approx([5, 10 + 1 / 60])
 
 
@@ -149,7 +149,7 @@ def test_only_what_damps_looks_at_velocities(law: Law, places: Array, velocity: 
     places = smooth(law, places)
     still, moving = wrench(law, instant(places)), wrench(law, instant(places, velocity))
 
-    assert law.effect.sees_velocity or np.array_equal(still, moving)
+    assert law.effect.depends_on_velocity or np.array_equal(still, moving)
 
 
 @pytest.mark.sweep
@@ -459,4 +459,4 @@ def test_many_springs_store_together_what_each_of_them_does(
     motion = Instant.at(0.0, places, np.zeros((COUNT, 3)))
     each = [spring.potential_energy(motion).sum() for spring in springs]
 
-    assert SpringRows(springs).stored(motion) == pytest.approx(sum(each), rel=1e-9, abs=1e-9)
+    assert SpringRows(springs).energy(motion) == pytest.approx(sum(each), rel=1e-9, abs=1e-9)

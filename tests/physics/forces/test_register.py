@@ -80,7 +80,7 @@ def wrench(law: Law, motion: Instant) -> Array:
     return found
 
 
-FOR_EACH_LAW = [effect for effect in FORCES if not effect.turns]
+FOR_EACH_LAW = [effect for effect in FORCES if not effect.rotates_velocity]
 
 
 @named(FOR_EACH_LAW)
@@ -97,7 +97,7 @@ def test_a_force_depends_on_what_its_effect_says_and_on_nothing_else(effect: Eff
             if not np.array_equal(wrench(law, here), wrench(law, other)):
                 seen.add(sight)
 
-    assert seen == set(effect.sees)
+    assert seen == set(effect.depends_on)
 
 
 @named(FOR_EACH_LAW)
@@ -158,10 +158,10 @@ def test_the_books_of_a_force_close(effect: Effect) -> None:
     for said in examples(effect.name, 1.5):
         this = scene({effect.name: said}, stepping={"rate": 1000})
         every = list(quantities(this))
-        names = [found.name for found in every if found.booked]
+        names = [found.name for found in every if found.needs_ledger]
         trace = simulate(this, duration=0.1, record=["system.kinetic_energy", *names])
 
-        assert effect.turns or any(effect.booked in found.name for found in every)
+        assert effect.rotates_velocity or any(effect.account_name in found.name for found in every)
         assert max(np.abs(trace.columns["system.unexplained_energy"])) < 1e-5
         assert max(np.abs(trace.columns["system.unexplained_momentum"])) < 1e-12
 
@@ -204,7 +204,7 @@ def test_what_is_not_smooth_or_sees_velocities_has_no_fourth_order(effect: Effec
             scene({effect.name: said}, stepping={"scheme": "fourth-order"})
 
 
-TURNS = [effect for effect in LAWS if effect.turns]
+TURNS = [effect for effect in LAWS if effect.rotates_velocity]
 
 
 def test_what_turns_velocities_keeps_speeds_and_looks_at_no_velocity() -> None:
@@ -214,7 +214,7 @@ def test_what_turns_velocities_keeps_speeds_and_looks_at_no_velocity() -> None:
             world = build(scene({effect.name: said}, stepping={"rate": 240}))
             begun = np.hypot(*world.snapshot.velocity.T)
             here, there = somewhere(1), somewhere(2)
-            for turn in world.scene.turns:
+            for turn in world.scene.rotations:
                 other = here._replace(velocity=there.velocity)
                 assert np.array_equal(turn.rate(here), turn.rate(other))
                 assert turn.rate(somewhere(4, times=3)).shape == (3, COUNT)
@@ -241,7 +241,7 @@ def test_an_effect_without_a_law_is_told_with_the_file_that_is_missing() -> None
 
 def test_a_law_without_its_parts_is_told_with_its_file() -> None:
     (law,) = laws_of(EFFECTS["drag"])[0]
-    turning = Effect(name="drag", book="none", sees=("velocity",))
+    turning = Effect(name="drag", book="none", depends_on=("velocity",))
 
     with pytest.raises(IncompleteError, match=r"VelocityRotation, but Drag .* has no 'rate'"):
         declared_laws._require(turning, law)

@@ -87,4 +87,4 @@ def test_outlines_come_in_an_order_of_their_own() -> None:
     found = outlines([body])
     assert [o.corners for o in found] == [(0j, 1), (1,), (1, 1 + 2j), (2,), (3,)]
     assert found[0] == Outline(0, (0j, 1 + 0j), 0.1, 1.0, 0, (0j, 2j))
-    assert found[2].ways == (-1, 0)
+    assert found[2].continuations == (-1, 0)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.geometry.outline_distance import smallest
-from sandbox.physics.guarding.least_step_rate import needs
+from sandbox.physics.geometry.outline_distance import smallest_width
+from sandbox.physics.guarding.least_step_rate import rate_bounds
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level, measured
@@ -33,7 +33,7 @@ def test_a_chain_under_load_breaks_below_the_rate_that_its_tension_asks_for(
     links: int, load: float
 ) -> None:
     world = build(chain(links, load, 20_000))
-    need = needs(world.scene, world.snapshot)[0]
+    need = rate_bounds(world.scene, world.snapshot)[0]
     assert need.subject.startswith("the joint 'rod")
     assert need.rate == pytest.approx(sqrt(load * G * cos(0.3) / 0.1), rel=0.1)
 
@@ -48,7 +48,7 @@ def test_a_spring_asks_for_what_it_is_refused_below() -> None:
     spring = {"type": "spring", "ends": [[0, 0], "ball"], "stiffness": 1e4}
     scene = level({"ball": disc((1, 0))}, {}, joints={"spring": spring})
     world = build(scene)
-    assert [(n.rate, n.subject) for n in needs(world.scene, world.snapshot)] == [
+    assert [(n.rate, n.subject) for n in rate_bounds(world.scene, world.snapshot)] == [
         (50, "the spring 'spring'")
     ]
 
@@ -60,13 +60,13 @@ def test_a_fast_body_asks_for_steps_as_long_as_it_is_wide() -> None:
         "wall": fixed({"type": "box", "width": 1, "height": 1}, (9, 9)),
     }
     world = build(level(bodies, {"contact": {}}))
-    first, second = needs(world.scene, world.snapshot)
+    first, second = rate_bounds(world.scene, world.snapshot)
     assert first.subject == "the body 'bullet'"
     assert first.rate == pytest.approx(500 / 0.02)
     assert second.subject == "the body 'slow'"
     assert second.rate == pytest.approx(1)
-    assert needs(world.scene, world.snapshot, ["bullet"]) == [second]
-    assert smallest(world.scene.space) == pytest.approx(0.02, rel=1e-6)
+    assert rate_bounds(world.scene, world.snapshot, ["bullet"]) == [second]
+    assert smallest_width(world.scene.space) == pytest.approx(0.02, rel=1e-6)
 
 
 @pytest.mark.parametrize("solver", ["direct", "iterative"])
@@ -77,7 +77,7 @@ def test_a_line_asks_for_nothing_for_it_is_as_wide_as_its_skin(solver: str) -> N
         "velocity": [0, 5],
     }
     world = build(level({"line": line, "ball": disc((5, 5))}, {"contact": {"solver": solver}}))
-    assert needs(world.scene, world.snapshot) == []
+    assert rate_bounds(world.scene, world.snapshot) == []
 
 
 def test_a_pin_asks_for_nothing_for_it_has_no_length_to_swing_about() -> None:
@@ -87,10 +87,10 @@ def test_a_pin_asks_for_nothing_for_it_has_no_length_to_swing_about() -> None:
     )
     world = build(scene)
     assert world.snapshot.tension[0] > 1
-    assert needs(world.scene, world.snapshot) == []
+    assert rate_bounds(world.scene, world.snapshot) == []
 
 
 def test_what_rests_asks_for_nothing() -> None:
     world = build(level({"a": disc(), "b": disc((3, 0))}, {"contact": {}}))
-    assert needs(world.scene, world.snapshot) == []
-    assert smallest(world.scene.space) == 1
+    assert rate_bounds(world.scene, world.snapshot) == []
+    assert smallest_width(world.scene.space) == 1

@@ -337,7 +337,7 @@ def test_a_bare_step_is_not_watched(monkeypatch: pytest.MonkeyPatch) -> None:
     def bark(*_: object, **__: object) -> None:
         raise AssertionError
 
-    monkeypatch.setattr(world._watch, "look", bark)
+    monkeypatch.setattr(world._watch, "check", bark)
 
     for _ in range(10):
         world.step()

@@ -88,9 +88,9 @@ def test_the_books_know_what_a_joint_may_give_and_take(kind: str) -> None:
 
     assert ("joints" in ledger_accounts.works(this)) is said.drives
     assert ("impacts" in ledger_accounts.losses(this)) is said.goes_slack
-    assert ("supports" in ledger_accounts.outside(this)) is (said.force is None)
+    assert ("supports" in ledger_accounts.external_accounts(this)) is (said.force is None)
     if said.force:
-        assert said.force.booked in ledger_accounts.potentials(this)
+        assert said.force.account_name in ledger_accounts.potentials(this)
 
 
 @KIND

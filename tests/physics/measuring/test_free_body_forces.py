@@ -91,7 +91,7 @@ def sums(run: Level, steps: float = inf) -> Sums:
     diagrams, force, torque, seen = FreeBodies(world), 0.0, 0.0, 0
     for _ in range(int(min(run.duration(world.values) * world.stepping.rate, steps)) + 1):
         for found in filter(None, map(diagrams.of, bodies)):
-            if not (found.struck or found.closed):
+            if not (found.struck or found.is_completed):
                 force, seen = max(force, forces_off(found, world)), seen + 1
                 torque = max(torque, torques_off(found, world))
         world.advance()
@@ -102,7 +102,9 @@ def forces_off(found: FreeBody, world: World) -> float:
     """Return by how much forces are off, beyond rounding, over the strongest."""
     speed = hypot(*world.snapshot.velocity[list(world.scene.bodies).index(found.body)])
     blur = ROUNDING * found.mass * speed / world.dt
-    return max(found.off - blur, 0.0) / max(found.largest, hypot(*found.gain), 1e-300)
+    return max(found.imbalance - blur, 0.0) / max(
+        found.largest, hypot(*found.mass_times_acceleration), 1e-300
+    )
 
 
 def torques_off(found: FreeBody, world: World) -> float:
@@ -168,8 +170,8 @@ def test_a_force_that_is_left_out_is_missed() -> None:
 
     others = [acting.force for acting in found.forces if acting.name != FRICTION]
 
-    x, y = np.sum(others, axis=0) - found.gain
-    assert hypot(x, y) == pytest.approx(force(found, FRICTION).size, rel=1e-12)
+    x, y = np.sum(others, axis=0) - found.mass_times_acceleration
+    assert hypot(x, y) == pytest.approx(force(found, FRICTION).magnitude, rel=1e-12)
     assert hypot(x, y) > 0.1 * found.largest
 
 
@@ -184,7 +186,7 @@ def test_forces_read_with_the_velocity_of_the_drift_miss() -> None:
     wrench = np.zeros((len(world.scene.bodies), 3))
     early = world.snapshot
     row = list(world.scene.bodies).index("ball")
-    early.velocity[row] = world.last.begun[row, :2]
+    early.velocity[row] = world.last.pre_kick_velocity[row, :2]
     law.add(early, wrench)
 
     x, y = wrench[row, :2] - force(found, "drag").force
@@ -196,11 +198,11 @@ def test_a_block_held_on_an_incline() -> None:
     found = diagram(textbook("newton/incline-that-holds"), "block", 30)
 
     weight, normal, friction = (force(found, name) for name in ("weight", NORMAL, FRICTION))
-    (x, y), *_ = found.along
+    (x, y), *_ = found.surface_directions
     slope = -(weight.force[0] * x + weight.force[1] * y)  # how far weight points down along it
 
     assert normal.force[0] * x + normal.force[1] * y == pytest.approx(0, abs=1e-12)
-    assert normal.size == pytest.approx(hypot(normal.force[0], normal.force[1]))
+    assert normal.magnitude == pytest.approx(hypot(normal.force[0], normal.force[1]))
     assert friction.force[0] * x + friction.force[1] * y == pytest.approx(slope, rel=1e-9)
     assert found.net == pytest.approx((0, 0), abs=1e-9)
 
@@ -229,8 +231,8 @@ def test_a_rolling_disc_is_rubbed_where_it_touches() -> None:
     found = diagram(scene, "disc", 20)
 
     friction = force(found, FRICTION)
-    assert friction.size == pytest.approx(G * sin(angle) / 3, rel=1e-6)
-    assert abs(friction.torque(found.center)) == pytest.approx(friction.size * 0.5, rel=1e-6)
+    assert friction.magnitude == pytest.approx(G * sin(angle) / 3, rel=1e-6)
+    assert abs(friction.torque(found.center)) == pytest.approx(friction.magnitude * 0.5, rel=1e-6)
     assert found.torque == pytest.approx(found.moment * found.angular_acceleration, rel=1e-6)
 
 
@@ -305,7 +307,7 @@ def test_a_hand_is_known_from_the_rest_and_says_so() -> None:
     found = FreeBodies(world).of("ball")
     assert found
 
-    assert found.closed
+    assert found.is_completed
     assert force(found, "hand").force[1] == pytest.approx(G, rel=0.05)
 
 
@@ -351,7 +353,7 @@ def test_every_force_that_there_is_is_in_the_diagram(name: str) -> None:
         diagrams = [FreeBodies(world).of(body) for body in BODIES]
         called = {acting.name for found in diagrams if found for acting in found.forces}
 
-        assert called == {EFFECTS[name].called}
+        assert called == {EFFECTS[name].shown_force_name}
         assert all(found and forces_off(found, world) < BOUND for found in diagrams)
 
 
@@ -377,7 +379,7 @@ def test_every_joint_that_there_is_is_in_the_diagram(kind: str) -> None:
     diagrams = list(filter(None, map(FreeBodies(world).of, "ab")))
     by = {acting.by: acting.name for found in diagrams for acting in found.forces}
 
-    assert by["tie"] == KINDS[kind].pull
+    assert by["tie"] == KINDS[kind].force_name
     assert all(forces_off(found, world) < BOUND for found in diagrams)
     assert all(torques_off(found, world) < BOUND for found in diagrams)
 
@@ -401,4 +403,4 @@ def test_after_a_step_that_failed_the_forces_of_the_last_whole_one_are_told(
     found = FreeBodies(world).of("box")
 
     assert found
-    assert force(found, NORMAL).size == pytest.approx(3 * G, rel=1e-9)
+    assert force(found, NORMAL).magnitude == pytest.approx(3 * G, rel=1e-9)

@@ -85,7 +85,7 @@ def test_stars_count_once_every_goal_is_met() -> None:
     scene = thrown(goal, stars=stars)
 
     assert [judged(scene, v=v).stars for v in (20, 26, 29, 31)] == [0, 3, 2, 1]
-    assert judged(scene, v=26).most == 3
+    assert judged(scene, v=26).possible_stars == 3
     assert not judged(scene, v=20).solved
 
 
@@ -116,4 +116,4 @@ def test_no_star_counts_once_a_locked_parameter_is_changed() -> None:
     assert judged(scene, 1, v=12).stars == 1
     cheated = judged(scene, 1, v=12, g=1)
     assert cheated.outcomes[0].standing == "met"
-    assert (cheated.stars, cheated.altered) == (0, ("g",))
+    assert (cheated.stars, cheated.changed_parameters) == (0, ("g",))

@@ -10,7 +10,7 @@ from sandbox.model import level_catalog
 from sandbox.model.level import Level, Stepping
 from sandbox.model.levels_with_changed_effects import including, without
 from sandbox.model.loading import load
-from sandbox.physics.measuring.run_comparison import Difference, differences, watched
+from sandbox.physics.measuring.run_comparison import Difference, compared_quantities, differences
 from sandbox.physics.measuring.step_timing import Step, step_costs, step_seconds
 from sandbox.physics.run import build, simulate
 
@@ -20,15 +20,15 @@ def named(name: str) -> Level:
 
 
 def compared(level: Level, other: Level, *, places: bool = False) -> dict[str, Difference]:
-    names = watched(level)
+    names = compared_quantities(level)
     runs = (simulate(scene, record=names) for scene in (level, other))
-    return {d.label or d.quantity: d for d in differences(*runs, places=places)}
+    return {d.label or d.quantity: d for d in differences(*runs, positions=places)}
 
 
 def test_a_run_does_not_differ_from_itself() -> None:
     level = named("rotation/rolling")
 
-    assert all(d.share == 0 for d in compared(level, level, places=True).values())
+    assert all(d.fraction == 0 for d in compared(level, level, places=True).values())
 
 
 def test_drag_takes_from_range_and_apex_what_it_takes() -> None:
@@ -36,18 +36,18 @@ def test_drag_takes_from_range_and_apex_what_it_takes() -> None:
     level = named("kinematics/projectile")
     found = compared(level, including(level, "drag", {"linear": 0.1}))
 
-    assert found["range"].before == pytest.approx(25**2 / 9.81, rel=1e-9)
+    assert found["range"].first == pytest.approx(25**2 / 9.81, rel=1e-9)
     assert found["range"].relative == pytest.approx(-0.198, abs=1e-3)
     v, k, g = 25 / np.sqrt(2), 0.1, 9.81
     apex = v / k - g / k**2 * np.log(1 + k * v / g)  # of linear drag
-    assert found["apex"].after == pytest.approx(apex, rel=1e-4)
+    assert found["apex"].second == pytest.approx(apex, rel=1e-4)
 
 
 def test_an_event_that_no_longer_comes_is_an_infinite_difference() -> None:
     level = named("kinematics/projectile")
     apex = compared(level, without(level, "gravity")[0])["apex"]
 
-    assert (apex.after, apex.share, apex.relative) == (None, np.inf, None)
+    assert (apex.second, apex.fraction, apex.relative) == (None, np.inf, None)
     assert apex.t[0] is not None
     assert apex.t[1] is None
 
@@ -58,7 +58,7 @@ def test_what_is_tiny_beside_the_rest_is_rounding() -> None:
     found = compared(level, including(level, "drag", {"linear": 0.1}), places=True)
     sideways = next(d for d in found.values() if d.quantity.endswith("position.x"))
 
-    assert sideways.share == 0
+    assert sideways.fraction == 0
 
 
 def test_no_world_is_timed_beyond_the_duration_of_its_level() -> None:

@@ -22,7 +22,7 @@ def shot(rate: float, **contact: object) -> Level:
 
 
 def test_a_bullet_that_steps_over_a_wall_is_named_with_the_rate_it_needs() -> None:
-    (need,) = simulate(shot(240, solver="iterative")).unseen
+    (need,) = simulate(shot(240, solver="iterative")).missed_passages
 
     assert need.subject == "the body 'bullet'"
     assert need.rate == pytest.approx(100 / 0.04)
@@ -34,13 +34,13 @@ def test_a_bullet_that_steps_over_a_wall_is_named_with_the_rate_it_needs() -> No
     ids=["fine", "located", "direct by default"],
 )
 def test_where_no_impact_is_missed_nobody_is_named(scene: Level) -> None:
-    assert simulate(scene).unseen == ()
+    assert simulate(scene).missed_passages == ()
 
 
 def test_without_contact_there_is_nothing_to_miss() -> None:
     thrown = {"ball": disc((0, 0), radius=0.02, velocity=[100, 0])}
 
-    assert simulate(level(thrown, {}, duration=0.1)).unseen == ()
+    assert simulate(level(thrown, {}, duration=0.1)).missed_passages == ()
 
 
 def test_how_wide_bodies_are_is_measured_once_in_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -59,5 +59,5 @@ def test_how_wide_bodies_are_is_measured_once_in_a_run(monkeypatch: pytest.Monke
     for _ in range(10):
         world.step()
         recorder.note()
-        assert len(recorder.trace.unseen) == 1
+        assert len(recorder.trace.missed_passages) == 1
     assert len(measured) == 3  # one for each body

@@ -56,7 +56,7 @@ def test_a_quantity_is_what_its_definition_says(name: str) -> None:
 
 @pytest.mark.parametrize("scene", [SCENE, atwood(1, 2)], ids=["turning", "string"])
 def test_every_quantity_is_the_same_on_a_run_as_on_each_of_its_states(scene: Level) -> None:
-    names = [q.name for q in quantities(scene) if not (q.adds_up or q.booked)]
+    names = [q.name for q in quantities(scene) if not (q.is_integral or q.needs_ledger)]
     world = build(scene)
     meter = Meter(world, names)
     states = [world.snapshot, *(world.advance() for _ in range(5))]

@@ -102,7 +102,7 @@ def test_an_effect_without_strength_changes_no_bit(
     bodies, effects = scene
     if effect in effects:
         return
-    if EFFECTS[effect].twists:
+    if EFFECTS[effect].exerts_torque:
         effects = {**effects, "rotation": {}}
     bare = level(bodies, effects)
     rub = {"friction": 0} if effect == "friction" else {}

@@ -143,7 +143,7 @@ class Studying(BackgroundTask):
             self.news = object()
             if isinstance(finding, Setting):
                 found = finding
-                self._offer = finding.playable
+                self._offer = finding.for_playing
             else:
                 self._take(finding)
         if was_running and not self._work.running:
@@ -194,7 +194,7 @@ def _play_with(session: Session, setting: Setting) -> str:
         if session.waiting:
             session.settle(setting)
         else:
-            whatif.repace(session, setting.playable.stepping)
+            whatif.repace(session, setting.for_playing.stepping)
     except SandboxError as error:
         return say(error.message)
     return formatting.offer(setting)

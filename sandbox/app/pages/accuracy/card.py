@@ -71,10 +71,10 @@ def status(
             surface.blit(line, (0, i * pen.px(13) - 1))
     elif progress:
         stage = say(progress.stage, scheme=formatting.scheme(progress.scheme))
-        message = say(progress.now) if progress.now else stage
+        message = say(progress.detail) if progress.detail else stage
         surface.blit(pen.write(pen.shorten(message, size[0], 12), 12, theme.DIM), (0, 0))
         surface.fill(theme.RAISED, (0, pen.px(19), size[0], pen.px(5)))
-        surface.fill(theme.ACCENT, (0, pen.px(19), round(size[0] * progress.share), pen.px(5)))
+        surface.fill(theme.ACCENT, (0, pen.px(19), round(size[0] * progress.fraction), pen.px(5)))
     return surface
 
 

@@ -60,8 +60,8 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
             card.text(rank, 12, theme.DIM)
         before = rank
         _goal(card, outcome, words(outcome.goal.label))
-    if found.altered:
-        names = ", ".join(found.altered)
+    if found.changed_parameters:
+        names = ", ".join(found.changed_parameters)
         message = say("No star counts: {names} is locked in this challenge.", names=names)
         card.text(message, 13, theme.NOTICE)
     return card.drawn()
@@ -88,10 +88,12 @@ def _rank(index: int, asked: Challenge) -> str:
 def _stars(card: Card, found: Attempt, best: int) -> None:
     """Draw the stars of this run, and the number earned before."""
     radius = card.pen.px(_STAR)
-    for index in range(found.most):
+    for index in range(found.possible_stars):
         card.put(_star(radius, earned=index < found.stars), index * (2 * radius + 6), 2)
-    text = say("best so far: {best} of {most}", best=best, most=found.most) if best else ""
-    card.put(card.pen.write(text, 13, theme.DIM), found.most * (2 * radius + 6) + 8, 5)
+    text = (
+        say("best so far: {best} of {most}", best=best, most=found.possible_stars) if best else ""
+    )
+    card.put(card.pen.write(text, 13, theme.DIM), found.possible_stars * (2 * radius + 6) + 8, 5)
     card.y += 2 * radius + 8
 
 

@@ -31,11 +31,11 @@ class Judge(IdleWorker):
             return None
         if session.repeats:
             message = later("{stars} of {most} stars; a run from a file earns none of them")
-            return say(message, stars=found.stars, most=found.most)
+            return say(message, stars=found.stars, most=found.possible_stars)
         message = later("{stars} of {most} stars")
         if 0 < before < found.stars:
             message = later("{stars} of {most} stars, more than before")
-        message = say(message, stars=found.stars, most=found.most)
+        message = say(message, stars=found.stars, most=found.possible_stars)
         lost = self._progress.earn(title, found.stars)
         self.news = object()
         return f"{message}; {lost}" if lost else message

@@ -31,18 +31,18 @@ def compared(
     if cost is not None:
         told = say("time: {cost}", cost=formatting.step_cost(cost).replace("-", formatting.MINUS))
         card.text(told, 13)
-    if all(found.before is found.after is None for found in differences):
+    if all(found.first is found.second is None for found in differences):
         card.text(say("Play to see what changes."), 13, theme.DIM)
         return card.drawn()
     card.y += GAP
     heads = (say("as declared"), say("changed"), say("change"))
     card.columns([(head, theme.DIM) for head in heads], 12)
     for difference in differences:
-        if difference.before is difference.after is None:
+        if difference.first is difference.second is None:
             continue  # not yet
         card.y += GAP
         card.text(words(difference.label) or difference.quantity, 14, bold=True, indent=card.indent)
-        numbers = (difference.before, difference.after)
+        numbers = (difference.first, difference.second)
         values = ["–" if n is None else formatting.quantity(n, difference.unit) for n in numbers]
         part = difference.relative
         values.append("" if part is None else f"{100 * part:+.3g} %")

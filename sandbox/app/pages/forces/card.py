@@ -45,7 +45,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
     row = list(session.world.scene.bodies).index(found.body)
     vx, vy = session.world.snapshot.velocity[row].tolist()
     _table(card, found, axes.first(found, (vx, vy)), axes.inclined)
-    for holds, text in ((found.struck, STRUCK), (found.closed, CLOSED)):
+    for holds, text in ((found.struck, STRUCK), (found.is_completed, CLOSED)):
         if holds:
             card.text(say(text), SIZE, theme.NOTICE)
     card.y += 2
@@ -77,14 +77,16 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         card,
         "m a",
         None,
-        _cell(forces_on_selection.cleared(found.gain, found), first),
+        _cell(forces_on_selection.cleared(found.mass_times_acceleration, found), first),
         theme.RESULTANT,
     )
     if found.moment:
         card.y += 4
         spin = found.moment * found.angular_acceleration
         x, y = found.center
-        levers = (a.size * hypot(a.at[0] - x, a.at[1] - y) + abs(a.couple) for a in found.forces)
+        levers = (
+            a.magnitude * hypot(a.at[0] - x, a.at[1] - y) + abs(a.couple) for a in found.forces
+        )
         scale = max(levers, default=0.0)
         for name, value in ((say("torques about the centre"), found.torque), ("I α", spin)):
             torque = number(0.0 if abs(value) < forces_on_selection.FAINT * scale else value, 3)

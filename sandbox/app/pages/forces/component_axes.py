@@ -26,8 +26,8 @@ class Axes(IdleWorker):
         """Return the first axis, a unit vector; the second is a quarter turn counter-clockwise."""
         if not self.inclined:
             return ALONG_X
-        if found.along:
-            x, y = found.along[0]
+        if found.surface_directions:
+            x, y = found.surface_directions[0]
             return (-x, -y) if x < 0 else (x, y)
         speed = hypot(*velocity)
         return (velocity[0] / speed, velocity[1] / speed) if speed else ALONG_X

@@ -115,12 +115,12 @@ def _before(vectors: Sequence[XY], place: int) -> int:
 
 def _aside(forces: Sequence[AppliedForce]) -> XY | None:
     """Return the direction in which arrows along one line are separated; None if they are not."""
-    longest = max(forces, key=lambda acting: acting.size, default=None)
-    if longest is None or len(forces) < 2 or not longest.size:
+    longest = max(forces, key=lambda acting: acting.magnitude, default=None)
+    if longest is None or len(forces) < 2 or not longest.magnitude:
         return None
-    x, y = longest.force[0] / longest.size, longest.force[1] / longest.size
+    x, y = longest.force[0] / longest.magnitude, longest.force[1] / longest.magnitude
     widest = max(abs(x * a.force[1] - y * a.force[0]) for a in forces)
-    return (y, x) if widest < FLAT * longest.size else None
+    return (y, x) if widest < FLAT * longest.magnitude else None
 
 
 def _along(start: XY, end: XY) -> Iterator[pygame.Rect]:

@@ -12,7 +12,7 @@ from sandbox.app.words.language import say
 from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level import Check, Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.quantities import TIME, momentary
+from sandbox.model.quantities import TIME, momentary_quantities
 
 MOST = 400
 """The largest number of quantities offered; with many bodies, those of the first."""
@@ -25,8 +25,8 @@ def offered(level: Level) -> list[str]:
     Those of static bodies come last.
     """
     static = {name for name, body in level.bodies.items() if body.type == "static"}
-    moving = (found.name for found in momentary(level) if found.subject not in static)
-    still = (found.name for found in momentary(level) if found.subject in static)
+    moving = (found.name for found in momentary_quantities(level) if found.subject not in static)
+    still = (found.name for found in momentary_quantities(level) if found.subject in static)
     return list(islice(chain(moving, still), MOST))
 
 

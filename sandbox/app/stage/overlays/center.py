@@ -15,7 +15,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if not rows:
         return
     snapshot, scene = view.world.snapshot, view.world.scene
-    mass = (scene.mass * scene.share(snapshot.t))[rows]
+    mass = (scene.mass * scene.mass_fraction(snapshot.t))[rows]
     x, y = view.camera.to_screen(tuple(mass @ snapshot.position[rows] / mass.sum()))
     if not lines.near(((x, y),)):
         return

@@ -96,7 +96,7 @@ class Touches:
                 continue
             rubs = after is not None and (after.name, after.by) == (FRICTION, acting.by)
             friction = after.force if rubs and after else (0.0, 0.0)
-            mu, slides = self._limit(found.body, acting.by, acting.size, hypot(*friction))
+            mu, slides = self._limit(found.body, acting.by, acting.magnitude, hypot(*friction))
             yield Touch(acting.at, acting.force, friction, mu, slides)
 
     def _limit(self, body: str, other: str, normal: float, friction: float) -> tuple[float, bool]:
@@ -161,7 +161,7 @@ def _draw_cone(surface: pygame.Surface, start: XY, touch: Touch, scale: float) -
 def _draw_chains(surface: pygame.Surface, view: View) -> None:
     """Draw a line for each contact between many bodies, as wide as its force is strong."""
     world, last = view.world, view.world.last
-    contacts = last.contacts.after(last.over)
+    contacts = last.contacts.without_first(last.impact_count)
     sizes = np.hypot(*contacts.impulse.T)
     full = view.full("chains", float(sizes[~contacts.first].max(initial=0.0)))
     if not full:
@@ -176,7 +176,7 @@ def _draw_chains(surface: pygame.Surface, view: View) -> None:
         if width > WIDEST / 100:
             a, b = (view.camera.to_screen((float(x), float(y))) for x, y in ends[pair])
             lines.stroke(surface, _color(bool(slides[pair])), a, b, width)
-    kick = last.parts[-1].kick / (2 if last.after is None else 1)
+    kick = last.parts[-1].kick / (2 if last.post_kick_velocity is None else 1)
     _draw_chain_key(surface, view, full / kick)
 
 

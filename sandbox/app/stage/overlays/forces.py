@@ -31,9 +31,9 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     ends = []
     words = forces_on_selection.texts(view.looking.told(view.world, found))
     for acting, (_, text) in zip(forces_on_selection.felt(found), words, strict=True):
-        if given and acting.name == Force.effect.called:
+        if given and acting.name == Force.effect.shown_force_name:
             continue
-        share = min(scale, CUT * longest / acting.size)
+        share = min(scale, CUT * longest / acting.magnitude)
         x, y = start = view.camera.to_screen(acting.at)
         end = x + acting.force[0] * share, y - acting.force[1] * share
         color = forces_on_selection.color(acting)

@@ -53,7 +53,7 @@ def fields(level: Level) -> Iterator[Condition]:
     """Yield the conditions on the formulas of fields and potentials at the start."""
     dynamic = tuple(name for name, body in level.bodies.items() if body.type == "dynamic")
     starts = cache(partial(_Starts, level))
-    for effect, place, said in level.effects.said:
+    for effect, place, said in level.effects.settings:
         if effect.name not in ("field", "potential"):
             continue
         start = starts(dynamic if said.bodies is None else tuple(said.bodies))
@@ -85,7 +85,7 @@ def _lost(formula: Function, start: _Starts, values: Values) -> Message | None:
                 shown=brief(str(formula.source)),
                 name=brief(name),
             )
-        if beyond := formula.beyond(value):
+        if beyond := formula.range_fault(value):
             return Message(
                 "'{shown}' is {found:g} where '{name}' starts, {beyond}",
                 shown=brief(str(formula.source)),
@@ -134,8 +134,8 @@ def singular_forces(level: Level) -> Iterator[Condition]:
         yield Condition(
             ("effects", "attraction", index, "center"), names, wrong, 10 + 5 * len(places)
         )
-    for effect, place, said in level.effects.said:
-        if effect.singular:
+    for effect, place, said in level.effects.settings:
+        if effect.is_singular:
             soft = getattr(said, effect.softening) if effect.softening else None
             places = {n: level.bodies[n].position for n in bodies_of_effect(level, said)}
             names = names_in((soft, *places.values()))

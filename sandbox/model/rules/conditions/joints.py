@@ -7,10 +7,10 @@ from functools import partial
 import numpy as np
 
 from sandbox.model.errors import brief
-from sandbox.model.events import tied
+from sandbox.model.events import tied_joints
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Values
-from sandbox.model.joint_ends_at_start import place, span
+from sandbox.model.joint_ends_at_start import end_position, span
 from sandbox.model.joints import (
     AngleStop,
     Gear,
@@ -43,7 +43,7 @@ NEAR = 1e-9
 
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield the conditions on a level's joints at the start, except those that an event ties."""
-    later = tied(level.events)
+    later = tied_joints(level.events)
     for name, joint in level.joints.items():
         if isinstance(joint, Wire):
             continue
@@ -84,7 +84,7 @@ def _law_fault(spring: Spring, level: Level, values: Values) -> Message | None:
             stretch=float(stretch),
         )
     pull = float(found[0])
-    if beyond := spring.law.beyond(pull):
+    if beyond := spring.law.range_fault(pull):
         return Message("is {pull:g} N, {beyond}", pull=pull, beyond=beyond)
     return None
 
@@ -131,7 +131,7 @@ def _way_fault(
     if fault or isinstance(joint, Rack):
         return fault
     way = complex(*evaluate(joint.direction, values))
-    first, second = (place(end, level.bodies, values) for end in joint.ends)
+    first, second = (end_position(end, level.bodies, values) for end in joint.ends)
     if isinstance(joint, Slot):
         way *= exp(1j * level.bodies[str(body_of(joint.ends[1]))].angle(values))
     beyond = (first - second) * way.conjugate() / abs(way)

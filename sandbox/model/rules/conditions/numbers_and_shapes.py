@@ -22,7 +22,7 @@ MAX_STEPS = 10_000_000
 def numbers(level: Level) -> Iterator[Condition]:
     """Yield the conditions that every expression has a value, and no run is endless."""
     for path, expression in expressions(level):
-        if expression.written and not expression.variables:
+        if expression.names_written and not expression.variables:
             work = 3 + len(str(expression.source)) / 50
             yield Condition(path, expression.names, partial(_value_fault, expression), work)
     yield Condition(("duration",), level.duration.names, partial(_too_long, level))

@@ -103,7 +103,7 @@ def _lost(formula: Formula, at: Times, values: Values) -> Message | None:
             "'{shown}' has no finite value at t = {t:.3g} s", shown=shown, t=times[lost.argmax()]
         )
     first = (np.abs(found) > formula.most).argmax()
-    if beyond := formula.beyond(float(found[first])):
+    if beyond := formula.range_fault(float(found[first])):
         return Message(
             "'{shown}' is {found:g} {unit} at t = {t:.3g} s, {beyond}",
             shown=shown,

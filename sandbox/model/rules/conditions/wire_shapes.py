@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.joint_ends_at_start import place
+from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import Wire, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
@@ -15,7 +15,7 @@ from sandbox.model.number_bounds import Coordinate
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import Curve
 from sandbox.model.translatable_message import Message, word
-from sandbox.model.wire_points import NEAR, PIECES, Points, along, is_closed, places
+from sandbox.model.wire_points import NEAR, PIECES, Points, along, is_closed, points_at
 
 COARSE = 256
 """The number of pieces of a wire or curve that are tested for crossings."""
@@ -63,7 +63,7 @@ def _wire_fault(wire: Wire, level: Level, values: Values) -> Message | None:
     points, rule = _looked_at(wire, values)
     if rule:
         return rule
-    away = _distance(wire, place(wire.bead, level.bodies, values), values)
+    away = _distance(wire, end_position(wire.bead, level.bodies, values), values)
     if away > NEAR * max(1.0, float(np.abs(points).max())):
         return Message(
             "the bead must start on the wire, but it is {away:g} m away from it", away=away
@@ -105,7 +105,7 @@ def _curve_fault(curve: Curve, values: Values) -> Message | None:
 def _roughness(curve: Curve, values: Values, points: Points) -> Array:
     """Return the distances of the pieces' midpoints from quintics through six points [m]."""
     first, last = (end(values) for end in curve.s)
-    between = places(curve, values, np.linspace(first, last, 2 * PIECES + 1)[1::2])
+    between = points_at(curve, values, np.linspace(first, last, 2 * PIECES + 1)[1::2])
     quintic = between.copy()
     near = [points[i : len(points) - 5 + i] for i in range(6)]
     quintic[2:-2] = np.tensordot(_MIDDLE, near, axes=1)
@@ -126,7 +126,7 @@ def _looked_at(wire: Wire | Curve, values: Values) -> tuple[Points, Message | No
         lost = np.linspace(first, last, PIECES + 1)[~np.isfinite(points)][0]
         return points, Message("the {what} has no finite point at s = {s:g}", what=what, s=lost)
     away = float(np.abs(points).max())
-    if beyond := Coordinate.beyond(away):
+    if beyond := Coordinate.range_fault(away):
         rule = Message(
             "the {what} is {away:g} m away from the origin, {beyond}",
             what=what,
@@ -203,7 +203,7 @@ def _distance(wire: Wire, place: complex, values: Values) -> float:
     low, high = first, last
     for zoom in range(ZOOMS):
         s = np.linspace(low, high, (64 if zoom else PIECES) + 1)
-        away = np.abs(places(wire, values, s) - place)
+        away = np.abs(points_at(wire, values, s) - place)
         nearest = int(away.argmin())
         low, high = s[max(nearest - 1, 0)], s[min(nearest + 1, len(s) - 1)]
     return float(away.min())

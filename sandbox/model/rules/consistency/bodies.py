@@ -37,7 +37,7 @@ def fields_fit(level: Level) -> Iterator[Fault]:
         if body.type == "dynamic" and body.mass is None:
             yield Fault(path, "a dynamic body needs a mass")
         for field in _FORBIDDEN[body.type]:
-            if given(body, field):
+            if is_set(body, field):
                 yield Fault(
                     (*path, field),
                     "a {type} body has no {field}",
@@ -53,7 +53,7 @@ def motions_fit(level: Level) -> Iterator[Fault]:
         if body.motion is None:
             continue
         for field in ("velocity", "angular_velocity"):
-            if given(body, field):
+            if is_set(body, field):
                 message = Message("the 'motion' already determines the velocity; leave this out")
                 yield Fault(("bodies", name, field), message)
         if not dynamic:
@@ -93,7 +93,7 @@ def sensors_fit(level: Level) -> Iterator[Fault]:
             rule = Message("a sensor must be static or kinematic, since nothing pushes it")
             yield Fault((*path, "sensor"), rule)
         for field in ("friction", "static_friction", "restitution"):
-            if given(body, field):
+            if is_set(body, field):
                 yield Fault((*path, field), "a sensor has no surface; leave it out")
 
 
@@ -135,7 +135,7 @@ def in_one_group(level: Level) -> Iterator[Fault]:
         taken.update(group)
 
 
-def given(body: Body, field: str) -> bool:
+def is_set(body: Body, field: str) -> bool:
     """Whether a field differs from its default, which may be written out."""
     return bool(getattr(body, field) != type(body).model_fields[field].default)
 

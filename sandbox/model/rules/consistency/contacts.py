@@ -6,13 +6,13 @@ from sandbox.model.body import Body
 from sandbox.model.contact_solver_choice import is_alone
 from sandbox.model.effects.contact import Pair
 from sandbox.model.errors import brief
-from sandbox.model.excluded_pairs import apart
+from sandbox.model.excluded_pairs import excluded_pairs
 from sandbox.model.joints import bodies_of, is_exact, is_solved_by_pymunk
 from sandbox.model.json_positions import Path
 from sandbox.model.level import ContactEvent, Level, SeparationEvent
 from sandbox.model.level_parts import Fault
 from sandbox.model.number_bounds import MOST_PAIRS
-from sandbox.model.rules.consistency.bodies import given
+from sandbox.model.rules.consistency.bodies import is_set
 from sandbox.model.rules.consistency.mentions import (
     bodies_of_flows,
     coefficients,
@@ -122,7 +122,7 @@ def apart_fits(level: Level) -> Iterator[Fault]:
         )
         yield Fault(("effects", "contact", "apart"), rule)
         return
-    never = apart(level)
+    never = excluded_pairs(level)
     for kind in ("friction", "restitution", "sticking"):
         effect = getattr(level.effects, kind)
         for index, pair in enumerate(effect.pairs if effect else ()):
@@ -285,7 +285,7 @@ def _no_belt(name: str, body: Body) -> Iterator[Message]:
             "'{name}' is round, but a belt has straight sides; use a rotating kinematic body",
             name=brief(name),
         )
-    if body.type == "kinematic" and given(body, "angular_velocity"):
+    if body.type == "kinematic" and is_set(body, "angular_velocity"):
         yield Message("'{name}' turns, but a belt keeps its direction", name=brief(name))
 
 

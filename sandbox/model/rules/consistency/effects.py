@@ -7,7 +7,7 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Held, points
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
-from sandbox.model.rules.consistency.bodies import given
+from sandbox.model.rules.consistency.bodies import is_set
 from sandbox.model.rules.consistency.contacts import coefficients_fit, undeclared
 from sandbox.model.rules.consistency.mentions import (
     acted_on,
@@ -20,7 +20,7 @@ from sandbox.model.translatable_message import Message, either, word
 
 def laws_act(level: Level) -> Iterator[Fault]:
     """Effects do something, and the bodies that forces act on can move."""
-    for effect, place, said in level.effects.said:
+    for effect, place, said in level.effects.settings:
         if effect.needs and all(getattr(said, field).source == 0 for field in effect.needs):
             rule = Message("needs {needs} greater than 0", needs=either(map(repr, effect.needs)))
             yield Fault(place, rule)
@@ -36,8 +36,8 @@ def laws_act(level: Level) -> Iterator[Fault]:
 
 def partners_exist(level: Level) -> Iterator[Fault]:
     """Effects that act between bodies have at least two of them."""
-    for effect, place, said in level.effects.said:
-        if effect.inside and len(only := bodies_of_effect(level, said)) == 1:
+    for effect, place, said in level.effects.settings:
+        if effect.is_internal and len(only := bodies_of_effect(level, said)) == 1:
             rule = Message(
                 "'{effect}' acts between bodies, but '{name}' is the only one; for a fixed centre,"
                 " use 'attraction'",
@@ -63,7 +63,7 @@ def effects_used(level: Level) -> Iterator[Fault]:
 
 def turned_apart(level: Level) -> Iterator[Fault]:
     """Torques act on bodies that can turn, and between two different ones."""
-    for effect, place, said in level.effects.said:
+    for effect, place, said in level.effects.settings:
         if effect.name not in ("torque", "torsion"):
             continue
         if said.against == said.body:
@@ -76,7 +76,7 @@ def turned_apart(level: Level) -> Iterator[Fault]:
 def rotation_used(level: Level) -> Iterator[Fault]:
     """Rotation is declared if a body has a moment or a spin, and only if something turns one."""
     dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}
-    turning = any(given(body, "angular_velocity") for body in dynamic.values())
+    turning = any(is_set(body, "angular_velocity") for body in dynamic.values())
     if level.effects.rotation:
         if not (turning or level.effects.contact or _levers(level)):
             rule = Message(
@@ -87,15 +87,15 @@ def rotation_used(level: Level) -> Iterator[Fault]:
         return
     for name, body in dynamic.items():
         for field in ("moment", "angular_velocity"):
-            if given(body, field):
+            if is_set(body, field):
                 yield undeclared(("bodies", name, field), field, "rotation")
 
 
 def _levers(level: Level) -> bool:
     """Whether an effect or a joint turns a body, or acts on it away from its centre."""
-    if any(effect.twists for effect in level.effects.declarations):
+    if any(effect.exerts_torque for effect in level.effects.declarations):
         return True
-    if any(joint.kind.turns for joint in level.joints.values()):
+    if any(joint.kind.exerts_torque for joint in level.joints.values()):
         return True
     held = (end for joint in level.joints.values() for end in points(joint))
     points_of_bodies = [end.at for end in held if isinstance(end, Held)]

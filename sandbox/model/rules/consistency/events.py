@@ -45,8 +45,8 @@ def _named(level: Level, of: str) -> Iterator[tuple[Path, str]]:
 
 def names_apart(level: Level) -> Iterator[Fault]:
     """No two forces have the same name."""
-    taken = {effect.name for effect, _, _ in level.effects.said}
-    for _, path, one in level.effects.said:
+    taken = {effect.name for effect, _, _ in level.effects.settings}
+    for _, path, one in level.effects.settings:
         if name := getattr(one, "name", None):
             if name in taken:
                 yield Fault((*path, "name"), "the name '{name}' is taken", name=name)
@@ -57,7 +57,7 @@ def events_act(level: Level) -> Iterator[Fault]:
     """Events do something, and their triggers can be observed at every instant."""
     for name, event in level.events.items():
         path = ("events", name)
-        if not event.acts:
+        if not event.has_action:
             rule = Message(
                 "does nothing; give it something to 'cut', 'tie', switch 'on' or 'off', or"
                 " 'reverse'"
@@ -89,7 +89,7 @@ def _seen(name: str, path: Path, level: Level) -> Iterator[Fault]:
         found = quantity(name, level)
     except QuantityError:
         return  # reported elsewhere
-    if not found.momentary or found.attribute.startswith("contact."):
+    if not found.is_momentary or found.attribute.startswith("contact."):
         rule = Message(
             "'{name}' is not known between two steps; use a position, a velocity, a length or a"
             " tension",
@@ -109,7 +109,7 @@ def _what(level: Level) -> Message:
 
 def drifts_cut_once(level: Level) -> Iterator[Fault]:
     """No events happen in drifts that are also cut by located impacts or ends of slipping."""
-    if not level.happens:
+    if not level.has_events:
         return
     effects, what = level.effects, _what(level)
     for effect in (effects.contact, effects.friction):

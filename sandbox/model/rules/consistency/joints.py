@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.errors import brief
-from sandbox.model.events import bouncing, tied
+from sandbox.model.events import rebounding_stops, tied_joints
 from sandbox.model.joints import (
     Joint,
     Own,
@@ -83,7 +83,7 @@ def own_apart(level: Level) -> Iterator[Fault]:
 
 def ties_fit(level: Level) -> Iterator[Fault]:
     """Joints that an event ties take the length they find, and declare none."""
-    names = sorted(tied(level.events) & level.joints.keys())
+    names = sorted(tied_joints(level.events) & level.joints.keys())
     for name in names:
         for field, rule in _untied(level.joints[name]):
             yield Fault(("joints", name, field), rule)
@@ -97,7 +97,7 @@ def stops_bounce(level: Level) -> Iterator[Fault]:
     """Contacts are solved directly if stops rebound."""
     contact = level.effects.contact
     if contact and contact.solver == "iterative":
-        for name, _ in bouncing(level.joints):
+        for name, _ in rebounding_stops(level.joints):
             rule = Message(
                 "needs the 'direct' solver of contacts; leave this out, or the 'solver' of"
                 " 'contact'"

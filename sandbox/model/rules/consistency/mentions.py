@@ -82,4 +82,4 @@ def bodies_of_flows(level: Level) -> Iterator[tuple[Path, str]]:
 
 def coefficients(level: Level) -> dict[str, Friction | Restitution]:
     """Return the effects that have a coefficient for each body."""
-    return {effect.name: said for effect, _, said in level.effects.said if effect.coefficient}
+    return {effect.name: said for effect, _, said in level.effects.settings if effect.coefficient}

@@ -56,7 +56,7 @@ def constants_fit(level: Level) -> Iterator[Fault]:
     """Constants have names of their own, and are used."""
     if not level.constants:
         return
-    used = set().union(*(expression.written for _, expression in expressions(level)))
+    used = set().union(*(expression.names_written for _, expression in expressions(level)))
     for name in level.constants:
         path = ("constants", name)
         if _is_taken(name) or name in VARIABLES:
@@ -92,10 +92,12 @@ INSTANTS = ("apex", "contact", "crossing", "landing", "separation")
 
 def known_names(level: Level) -> Iterator[Fault]:
     """Expressions use parameters that exist, and no part has a reserved name."""
-    named = ((path, expression) for path, expression in expressions(level) if expression.written)
+    named = (
+        (path, expression) for path, expression in expressions(level) if expression.names_written
+    )
     for path, expression in named:
         known = [*level.parameters, *level.constants, *expression.variables]
-        for name in sorted(expression.written.difference(known)):
+        for name in sorted(expression.names_written.difference(known)):
             if name == "t":
                 yield Fault(path, "the time 't' has no meaning here")
             else:

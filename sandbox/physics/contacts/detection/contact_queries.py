@@ -133,7 +133,7 @@ class Query:
             return known
         keep = [pair not in new for pair in pairs]
         rest = Contacts._make(field[keep] for field in known)
-        return rest.and_(contacts_of(new)).in_order()
+        return rest.followed_by(contacts_of(new)).in_order()
 
     def _found(self, moved: Collection[int]) -> Iterator[tuple[int, int, ShapeContact]]:
         """Yield the rows of two bodies that touch, the lower first, and their contact."""

@@ -230,7 +230,7 @@ def _clear(
     here, there = bodies
     one, other = outlines
     radii = one.radius + other.radius
-    bend = here.bend(one.reach, left) + there.bend(other.reach, left)
+    bend = here.bend(one.extent, left) + there.bend(other.extent, left)
     curve = dot(normal, there.acceleration - here.acceleration) - bend
     moving = [(q, there.speed(q)) for q in cores[1]]
     resting = min(
@@ -240,9 +240,9 @@ def _clear(
     )
     times = [resting]
     if here.turns and len(cores[0]) > 1:
-        times.append(_turning(normal, here, there, cores, other.reach, radii, left))
+        times.append(_turning(normal, here, there, cores, other.extent, radii, left))
     if there.turns and len(cores[1]) > 1:
-        times.append(_turning(-normal, there, here, cores[::-1], one.reach, radii, left))
+        times.append(_turning(-normal, there, here, cores[::-1], one.extent, radii, left))
     return max(times)
 
 
@@ -292,11 +292,11 @@ def _passes(line: Outline, cores: tuple[Sequence[complex], ...], normal: complex
 
     The contact there is with the next line, so that no ball trips over the joint, as in pymunk.
     """
-    if not any(line.ways) or len(cores[1]) > 1:
+    if not any(line.continuations) or len(cores[1]) > 1:
         return False
     (a, b), center = cores[0], cores[1][0]
     ahead = (b - a) / (line.corners[1] - line.corners[0])  # the rotation of the line
-    for end, way in zip((a, b), line.ways, strict=True):
+    for end, way in zip((a, b), line.continuations, strict=True):
         reached = abs(abs(center - end) - abs(dot(normal, center - end))) <= FLUSH
         if way and reached and dot(-normal, way * ahead) < 0:
             return True

@@ -16,7 +16,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
 from sandbox.physics.engine.arbiter_handle import PreSolveContact, address
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, Verdict, way_along
+from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, Verdict, relative_velocity
 from sandbox.physics.geometry.curve_contacts import verdict
 
 Shapes = tuple[int, int]
@@ -67,7 +67,7 @@ class Hollows:
         meeting = PreSolveContact(arbiter)
         one, other = meeting.shapes
         pair = min(one, other), max(one, other)  # pymunk may swap them from step to step
-        found = self._judge((one, other), *meeting.places())
+        found = self._judge((one, other), *meeting.poses())
         if found is False:
             self._touching.pop(pair, None)
             self._along.pop(pair, None)
@@ -111,18 +111,24 @@ class Hollows:
         found = self._touching.get(pair)
         if found is None or not (found.sign and self._drift):
             return
-        places, motions = meeting.places(), meeting.motions()
+        places, motions = meeting.poses(), meeting.motions()
         if self._pieces[one].body != found.arc.body:
             places, motions = places[::-1], motions[::-1]
         before = self._along.get(pair)
-        way = way_along(found, places, motions, self._drift, before)
-        hits = way.comes > HIT * max(way.leaves, way.along**2 * self._drift / (2 * found.arc.inner))
+        way = relative_velocity(found, places, motions, self._drift, before)
+        hits = way.approach > HIT * max(
+            way.separation, way.along**2 * self._drift / (2 * found.arc.inner)
+        )
         if hits:
             self._along.pop(pair, None)
         else:
             self._along[pair] = way.along
-        if way.comes > 0 and way.leaves > 0 if found.sign > 0 else abs(way.comes) > SLOWEST:
-            share = way.leaves / way.comes
+        if (
+            way.approach > 0 and way.separation > 0
+            if found.sign > 0
+            else abs(way.approach) > SLOWEST
+        ):
+            share = way.separation / way.approach
             meeting.bounce(max(share, meeting.restitution) if hits else share)
 
     def impacts(self, contacts: Contacts) -> Contacts:

@@ -109,7 +109,11 @@ def _round_ends(
     place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
     if isinstance(line, Course):
         for foot in line.ends:
-            at, tangent, first = place + turned * foot.point, turned * foot.tangent, foot.at == 0
+            at, tangent, first = (
+                place + turned * foot.point,
+                turned * foot.tangent,
+                foot.parameter == 0,
+            )
             onwards = -tangent if first else tangent
             yield _End(at, onwards, half_of(body, values, skin), body, first)
     elif isinstance(shape, ArcShape) and line.cosine >= -1:

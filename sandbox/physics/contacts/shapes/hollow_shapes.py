@@ -194,7 +194,7 @@ def _pieces(
             half = half_of(body, values, skin)
             for shape, stretch in zip(body.shapes, line.stretches, strict=True):
                 curve = Side(body.row, line, stretch, half)
-                yield shape, Piece(body.row, (stretch.center,), stretch.reach, curve=curve)
+                yield shape, Piece(body.row, (stretch.center,), stretch.radius, curve=curve)
         elif any(name == other for _, other in pairs):
             for shape, core in zip(body.shapes, _cores(body), strict=True):
                 radius = skin if isinstance(shape, pymunk.Poly) else _radius(shape)

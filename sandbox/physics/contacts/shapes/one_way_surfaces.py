@@ -22,7 +22,7 @@ from typing import NamedTuple
 import pymunk
 
 from sandbox.model.body import Body
-from sandbox.model.excluded_pairs import apart
+from sandbox.model.excluded_pairs import excluded_pairs
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import Arc as ArcShape
@@ -31,8 +31,8 @@ from sandbox.physics.contacts.shapes.corner_feelers import core_of
 from sandbox.physics.contacts.shapes.hollow_shapes import line_of
 from sandbox.physics.engine.arbiter_handle import PreSolveContact, address
 from sandbox.physics.engine.pymunk_bodies import local_points
-from sandbox.physics.geometry.arc_contacts import Arc, Placed, put
-from sandbox.physics.geometry.outline_distance import dot, plain
+from sandbox.physics.geometry.arc_contacts import Arc, Placed, to_plane
+from sandbox.physics.geometry.outline_distance import dot, without_feelers
 from sandbox.physics.geometry.side_of_line import Curved, Line, Round, Straight, side
 
 Pair = tuple[int, int]
@@ -67,7 +67,7 @@ class Gates:
     ) -> None:
         self.reversed: frozenset[str] = frozenset()
         self._bodies = list(bodies.values())
-        names, never = list(bodies), apart(level)
+        names, never = list(bodies), excluded_pairs(level)
         self._gates = {
             row: _gate(level.bodies[name], row, values, skin)
             for row, name in enumerate(names)
@@ -156,7 +156,7 @@ class Gates:
         gate = self._gates[pair[0]]
         way, turn = (there[0] - at[0]) / at[1], there[1] / at[1]
         seen = [
-            side(gate.line, [put((way, turn), corner) for corner in core], gate.half + radius)
+            side(gate.line, [to_plane((way, turn), corner) for corner in core], gate.half + radius)
             for core, radius in self._parts[pair[1]]
         ]
         return min(seen, key=itemgetter(1))[0] if all(hand for hand, _ in seen) else 0
@@ -164,7 +164,7 @@ class Gates:
     def _is_right(self, gate: _Gate, row: int, meeting: PreSolveContact, sign: int) -> bool:
         """Return whether a contact pushes the body to the side on which it is held."""
         at, turned = _placed(self._bodies[row])
-        left = gate.line.beside((meeting.point - at) / turned).left * turned
+        left = gate.line.nearest((meeting.point - at) / turned).left * turned
         return gate.hand * sign * dot(meeting.normal, left) > 0
 
 
@@ -192,4 +192,4 @@ def _parts(spec: Body, body: pymunk.Body, values: Values, skin: float) -> list[_
         points = [complex(*point) for point in local_points(spec, values)]
         half = spec.shape.thickness(values) / 2 + skin
         return [_Part(piece, half) for piece in pairwise(points)]
-    return [_Part(tuple(core_of(shape)), shape.radius) for shape in plain(body.shapes)]
+    return [_Part(tuple(core_of(shape)), shape.radius) for shape in without_feelers(body.shapes)]

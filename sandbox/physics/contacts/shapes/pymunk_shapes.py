@@ -26,7 +26,7 @@ from sandbox.model.shapes import (
 from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
 from sandbox.physics.geometry.curve_contacts import course_of
-from sandbox.physics.geometry.outline_distance import smallest
+from sandbox.physics.geometry.outline_distance import smallest_width
 from sandbox.physics.geometry.plane_curve import Stretch
 
 SKIN = 1e-9
@@ -124,7 +124,7 @@ def _outline(
 
 def _around(body: pymunk.Body, part: Stretch, half: float) -> pymunk.Shape:
     """Make a disc that encloses a stretch of a curve."""
-    return pymunk.Circle(body, part.reach + half, (part.center.real, part.center.imag))
+    return pymunk.Circle(body, part.radius + half, (part.center.real, part.center.imag))
 
 
 def _convex(body: pymunk.Body, points: list[XY], skin: float, kind: int) -> pymunk.Shape:
@@ -178,4 +178,4 @@ def slop_of(space: pymunk.Space, contact: Contact, values: Values) -> float:
     """Return the overlap of bodies that is not corrected [m]."""
     if contact.slop is not None:
         return contact.slop(values)
-    return PILE_SLOP * smallest(space) if contact.piles else SLOP
+    return PILE_SLOP * smallest_width(space) if contact.piles else SLOP

@@ -7,8 +7,8 @@ from sandbox.physics.stepping.stage import Setup, Stage
 
 def make(setup: Setup) -> Stage:
     """Make the stage: all drifts and kicks of a step but the last, which every step has."""
-    parts = LeadingSubsteps(setup)
-    return Stage(before_drift=parts.take, begun=parts.begun)
+    leading = LeadingSubsteps(setup)
+    return Stage(before_drift=leading.take, pre_kick_velocity=leading.pre_kick_velocity)
 
 
 class LeadingSubsteps:
@@ -16,16 +16,16 @@ class LeadingSubsteps:
 
     def __init__(self, setup: Setup) -> None:
         self._kicks, self._batch = setup.kicks, setup.scene.batch
-        held = setup.scene.joints.together is not None
-        scheme = composition(setup.stepping.order, held=held)
+        is_constrained = setup.scene.joints.together is not None
+        scheme = composition(setup.stepping.order, held=is_constrained)
         self._kicks.compose(substeps(scheme, self._kicks.clock.dt))
-        self._begun = self._batch.velocity()
+        self._pre_kick_velocity = self._batch.velocity()
 
     def take(self) -> None:
         """Take them, and keep the velocities after them."""
-        self._kicks.lead()
-        self._begun = self._batch.velocity()
+        self._kicks.take_leading_parts()
+        self._pre_kick_velocity = self._batch.velocity()
 
-    def begun(self) -> Array:
+    def pre_kick_velocity(self) -> Array:
         """Return the velocities at the beginning of the last kick: (n, 3) [m/s, rad/s]."""
-        return self._begun
+        return self._pre_kick_velocity

@@ -12,7 +12,7 @@ def make(setup: Setup) -> Stage:
     assert direct
 
     def begin(kick: Kick) -> None:
-        direct.begin(forces.held(dt), start=kick.at_step)
+        direct.begin(forces.acceleration_with_hand(dt), start=kick.at_step)
 
     def solve(kick: Kick) -> None:
         direct.solve(kick.until)
@@ -21,13 +21,13 @@ def make(setup: Setup) -> Stage:
         direct.forget()
 
     def record(step: StepRecord) -> StepRecord:
-        over = step.over + len(direct.drifts.parted.bodies)
-        return step._replace(divided=direct.drifts.drifted, over=over)
+        over = step.impact_count + len(direct.drifts.parted.bodies)
+        return step._replace(divided_drift=direct.drifts.drifted, impact_count=over)
 
     return Stage(
         in_kick=begin,
         after_kick=bearing(setup, solve),
         refit=refit,
         record=record,
-        contacts=lambda: direct.drifts.parted.and_(direct.contacts),
+        contacts=lambda: direct.drifts.parted.followed_by(direct.contacts),
     )

@@ -19,10 +19,10 @@ FASTER = 1e4
 
 def make(setup: Setup) -> Stage:
     """Make the stage."""
-    return Stage(before_drift=GridBounds(setup.scene, setup.kicks).look)
+    return Stage(before_drift=GridBounds(setup.scene, setup.kicks).check)
 
 
-def beyond(name: str, scene: Scene, t: float) -> SimulationError:
+def out_of_bounds(name: str, scene: Scene, t: float) -> SimulationError:
     """Return the message for a body that leaves the grid of a scene at a time [s]."""
     reason = Message(
         "'{name}' is more than {reach:.3g} m from the origin, the limit for so many shapes",
@@ -40,27 +40,29 @@ class GridBounds:
 
     def __init__(self, scene: Scene, kicks: Kicks) -> None:
         self._scene, self._kicks = scene, kicks
-        self._look_again = 0  # the step of the next check
+        self._next_check = 0  # the step of the next check
 
-    def look(self) -> None:
+    def check(self) -> None:
         """Raise `SimulationError` if a body would leave the grid in the coming drift."""
         kicks = self._kicks
-        if name := self._leaver(kicks.clock.steps, kicks.clock.dt):
-            raise beyond(name, self._scene, kicks.clock.after(0))
+        if name := self._leaving_body(kicks.clock.steps, kicks.clock.dt):
+            raise out_of_bounds(name, self._scene, kicks.clock.after(0))
 
-    def _leaver(self, step: int, drift: float) -> str | None:
+    def _leaving_body(self, step: int, drift: float) -> str | None:
         """Return a body that would leave the grid in a drift of a length [s] at a step."""
-        if step < self._look_again:
+        if step < self._next_check:
             return None
         extent, reach, field = self._scene.batch.extent(), self._scene.reach, self._scene.gravity
-        gains = hypot(*field.acceleration) if field else 0.0
-        if not self._scene.hooked and (extent + gains) * FASTER < reach:  # laws are unbounded
-            self._look_again = step + LOOK
+        speed_gain = hypot(*field.acceleration) if field else 0.0
+        if (
+            not self._scene.hooked_laws and (extent + speed_gain) * FASTER < reach
+        ):  # laws are unbounded
+            self._next_check = step + LOOK
             return None
         return None if extent * (1 + drift) < reach else self._outermost(drift)
 
     def _outermost(self, drift: float) -> str | None:
         state, reach = self._scene.batch.state(), self._scene.reach
         with np.errstate(all="ignore"):  # NaN is reported later, by name
-            beyond = (np.abs(state[:, :2] + state[:, 3:5] * drift) >= reach).any(axis=1)
-        return list(self._scene.bodies)[int(beyond.argmax())] if beyond.any() else None
+            outside = (np.abs(state[:, :2] + state[:, 3:5] * drift) >= reach).any(axis=1)
+        return list(self._scene.bodies)[int(outside.argmax())] if outside.any() else None

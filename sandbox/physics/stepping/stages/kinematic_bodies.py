@@ -15,14 +15,14 @@ def make(setup: Setup) -> Stage:
     clock, forces, scene = setup.kicks.clock, setup.forces, setup.scene
     motions = Motions(setup.level.bodies, setup.values, scene.batch, clock.dt)
 
-    def look(kick: Kick) -> None:
+    def set_acceleration(kick: Kick) -> None:
         if kick.ahead == 0:
-            forces.carry(motions.bodies, motions.look(kick.t, kick.length))
+            forces.set_prescribed(motions.bodies, motions.accelerations(kick.t, kick.length))
             if not scene.direct:
-                motions.lead()
+                motions.set_velocities()
 
-    def lead(kick: Kick) -> None:
+    def set_velocity(kick: Kick) -> None:
         if kick.ahead == 0:
-            motions.lead()
+            motions.set_velocities()
 
-    return Stage(in_kick=look, after_kick=lead if scene.direct else None)
+    return Stage(in_kick=set_acceleration, after_kick=set_velocity if scene.direct else None)

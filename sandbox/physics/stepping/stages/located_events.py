@@ -19,17 +19,17 @@ if TYPE_CHECKING:
 
 def make(setup: Setup) -> Stage:
     """Make the stage."""
-    located, stops = _located(setup), _stops(setup)
-    cuts = Cuts(setup, located, stops)
+    impacts, slip_ends = _impacts(setup), _slip_ends(setup)
+    cuts = Cuts(setup, impacts, slip_ends)
     return Stage(
         before_drift=cuts.cut,
-        after_step=stops.look if stops else None,
+        after_step=slip_ends.look if slip_ends else None,
         started=cuts.start,
-        contacts=cuts.contacts if stops else None,
-        begun=cuts.begun,
-        impacts=(lambda: located.impacts) if located else None,
+        contacts=cuts.contacts if slip_ends else None,
+        pre_kick_velocity=cuts.pre_kick_velocity,
+        impacts=(lambda: impacts.impacts) if impacts else None,
         record=cuts.record,
-        calls=sum(part is not None for part in (located, stops)),
+        calls=sum(part is not None for part in (impacts, slip_ends)),
     )
 
 
@@ -37,58 +37,63 @@ class Cuts:
     """Cuts the coming drift at impacts, or else at ends of slipping."""
 
     def __init__(
-        self, setup: Setup, located: "ImpactLocator | None", stops: "SlipEndLocator | None"
+        self,
+        setup: Setup,
+        impacts: "ImpactLocator | None",
+        slip_ends: "SlipEndLocator | None",
     ) -> None:
         self._forces, self._scene, self._dt = setup.forces, setup.scene, setup.kicks.clock.dt
-        self._located, self._stops = located, stops
+        self._impacts, self._slip_ends = impacts, slip_ends
 
-    def start(self, begun: Array, acceleration: Array) -> Array | None:
+    def start(self, velocity: Array, acceleration: Array) -> Array | None:
         """Start from a motion; return the accelerations right at the start if they are known."""
-        known = self._stops.start(begun, acceleration) if self._stops else None
-        if self._located:
-            self._located.begin(begun, acceleration if known is None else known)
-        return known
+        exact = self._slip_ends.start(velocity, acceleration) if self._slip_ends else None
+        if self._impacts:
+            self._impacts.begin(velocity, acceleration if exact is None else exact)
+        return exact
 
     def cut(self) -> None:
         """Let bodies collide, or slipping end, in the coming drift."""
-        if located := self._located:
-            self._collide(located)
-        if stops := self._stops:
-            if located and located.impacts:
-                stops.drop(located.begun)
-            elif cut := stops.cut():
+        if impacts := self._impacts:
+            self._collide(impacts)
+        if slip_ends := self._slip_ends:
+            if impacts and impacts.impacts:
+                slip_ends.drop(impacts.begun)
+            elif cut := slip_ends.cut():
                 self._forces.restart(cut.begun - cut.acceleration * self._dt)
-                if located:
-                    located.begun = cut.begun
+                if impacts:
+                    impacts.begun = cut.begun
 
-    def _collide(self, located: "ImpactLocator") -> None:
+    def _collide(self, impacts: "ImpactLocator") -> None:
         sequence = self._scene.sequence
-        if cut := located.cut(self._forces.smooth, sequence.last.jump if sequence else None):
+        if cut := impacts.cut(
+            self._forces.law_acceleration, sequence.last.jump if sequence else None
+        ):
             self._forces.shift(cut.jump)
             if sequence:
                 sequence.shift(cut.jump, cut.change)
 
     def contacts(self) -> Contacts:
         """Return the contacts of the last kick, which may have been taken again."""
-        return (self._stops and self._stops.kicked) or self._scene.batch.contacts()
+        return (self._slip_ends and self._slip_ends.kicked) or self._scene.batch.contacts()
 
-    def begun(self) -> Array:
+    def pre_kick_velocity(self) -> Array:
         """Return the velocities at the beginning of the last kick: (n, 3) [m/s, rad/s]."""
-        cutting = self._stops or self._located
-        assert cutting
-        return cutting.begun
+        locator = self._slip_ends or self._impacts
+        assert locator
+        return locator.begun
 
     def record(self, step: StepRecord) -> StepRecord:
         """Add the impacts and the ends of slipping in the drift of a step to its record."""
-        collided = self._located.last if self._located else None
+        collided = self._impacts.last if self._impacts else None
         return step._replace(
-            over=len(collided.impacts) if collided else 0,
+            impact_count=len(collided.impacts) if collided else 0,
             impacts=collided,
-            stop=self._stops.last if self._stops else None,
+            slip_ends=self._slip_ends.last if self._slip_ends else None,
         )
 
 
-def _located(setup: Setup) -> "ImpactLocator | None":
+def _impacts(setup: Setup) -> "ImpactLocator | None":
     contact = setup.level.effects.contact
     if contact is None or contact.located is None:
         return None
@@ -97,7 +102,7 @@ def _located(setup: Setup) -> "ImpactLocator | None":
     return locate(setup.level, setup.values, setup.scene, setup.kicks.clock.dt)
 
 
-def _stops(setup: Setup) -> "SlipEndLocator | None":
+def _slip_ends(setup: Setup) -> "SlipEndLocator | None":
     friction = setup.level.effects.friction
     if friction is None or friction.located is None:
         return None
@@ -105,5 +110,12 @@ def _stops(setup: Setup) -> "SlipEndLocator | None":
     from sandbox.physics.events.slip_ends import stop
 
     scene, kicks, forces = setup.scene, setup.kicks, setup.forces
-    onwards = partial(ContinuationSolver, scene, kicks.settle, kicks.tried, kicks.clock.dt)
-    return stop(setup.level, setup.values, scene, onwards, lambda: forces.smooth, kicks.clock.dt)
+    continuation = partial(ContinuationSolver, scene, kicks.settle, kicks.trial, kicks.clock.dt)
+    return stop(
+        setup.level,
+        setup.values,
+        scene,
+        continuation,
+        lambda: forces.law_acceleration,
+        kicks.clock.dt,
+    )

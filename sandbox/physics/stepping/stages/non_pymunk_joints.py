@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from functools import partial
 
-from sandbox.model.events import loads
+from sandbox.model.events import breaking_loads
 from sandbox.physics.joints.joint_changes import stick
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.kick_context import Kick, Work
@@ -33,12 +33,13 @@ def _solvers(joints: Joints, *, alone: bool) -> list[Work]:
 
 def bearing(setup: Setup, solve: Work) -> Work:
     """Return a solver of joints in which blows break joints, if any have a breaking force."""
-    borne, together = loads(setup.level.joints, setup.values), setup.scene.joints.together
-    if not (borne and together):
+    limits = breaking_loads(setup.level.joints, setup.values)
+    together = setup.scene.joints.together
+    if not (limits and together):
         return solve
     from sandbox.physics.events.breaking_at_impact import JointBreaking
 
-    return JointBreaking(setup.scene, together, borne, solve)
+    return JointBreaking(setup.scene, together, limits, solve)
 
 
 def _all(work: Sequence[Work]) -> Work | None:

@@ -39,7 +39,7 @@ def _has_cuts(setup: Setup) -> bool:
 
 
 STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] = {
-    "events that act": (lambda s: s.level.happens, _by("drift_events")),
+    "events that act": (lambda s: s.level.has_events, _by("drift_events")),
     "force laws": (lambda s: s.forces.acts, _by("force_laws")),
     "motions of kinematic bodies": (_has_motions, _by("kinematic_bodies")),
     "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("non_pymunk_joints")),

@@ -11,10 +11,10 @@ def make(setup: Setup) -> Stage:
     assert sequence
 
     def collide(kick: Kick) -> None:
-        sequence.collide(forces.smooth, start=kick.at_step)
+        sequence.collide(forces.law_acceleration, start=kick.at_step)
         forces.shift(sequence.last.jump)
 
     def record(step: StepRecord) -> StepRecord:
-        return step._replace(jump=sequence.last.jump)
+        return step._replace(velocity_jump=sequence.last.jump)
 
     return Stage(in_kick=collide, record=record)

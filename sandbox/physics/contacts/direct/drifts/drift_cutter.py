@@ -278,10 +278,10 @@ class DriftCutter(PartSolver):
         joints.time(left, left)
         lengths = joints.lengths(self._until - left), joints.lengths(self._until)
         rest = self._meetings.resting(shorter, near)
-        known = shorter.kick.contacts_at(place).and_(rest)
-        kick = self._following(shorter, self._build.anew(place, known.and_(down), lengths))
+        known = shorter.kick.contacts_at(place).followed_by(rest)
+        kick = self._following(shorter, self._build.anew(place, known.followed_by(down), lengths))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        self._take_in(around(kick, down.and_(rest).bodies.tolist()))
+        self._take_in(around(kick, down.followed_by(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = ~kick.ahead & (kick.layout.touching.pair >= len(known.bodies))
         catching = shorter.kick.slack & ~kick.slack
@@ -304,7 +304,9 @@ class DriftCutter(PartSolver):
         beside = self._meetings.beside(ended, begun, met, near)
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
-        kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
+        kick = self._build.anew(
+            place, known.followed_by(beside).followed_by(after), lengths, at_ends
+        )
         kick = self._following(shorter, kick)
         self._take_in(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)

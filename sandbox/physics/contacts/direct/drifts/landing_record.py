@@ -48,6 +48,6 @@ class LandingRecord:
         takes[landed] = True
         none = 0.0 * pushed.normal
         calm = pushed._replace(normal=none, friction=none, impulse=0.0 * pushed.impulse)
-        self.met = self.met.and_(Contacts._make(field[takes] for field in calm))
+        self.met = self.met.followed_by(Contacts._make(field[takes] for field in calm))
         for pair, push in zip(pairs_of(pushed), pushed.normal.tolist(), strict=True):
             self.given[pair] = self.given.get(pair, 0.0) + push

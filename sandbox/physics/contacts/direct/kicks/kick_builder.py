@@ -125,7 +125,7 @@ class KickBuilder:
 
     def with_ahead(self, kick: Kick, ahead: Contacts) -> Kick:
         """Return the system with rows for contacts that close within the drift."""
-        contacts = kick.contacts.and_(ahead)
+        contacts = kick.contacts.followed_by(ahead)
         layout, ends = self._layouts.anew(contacts), kick.layout.touching.ends
         if ends is not None:
             known = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first

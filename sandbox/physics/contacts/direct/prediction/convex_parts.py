@@ -128,7 +128,7 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[ConvexPart]:
 
     A body with a shape of another kind has none.
     """
-    own = outline_distance.plain(shapes)
+    own = outline_distance.without_feelers(shapes)
     if not all(isinstance(s, pymunk.Circle | pymunk.Poly | pymunk.Segment) for s in own):
         return []
     parts = map(ConvexPart.of, own)

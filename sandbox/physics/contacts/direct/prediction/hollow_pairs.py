@@ -18,7 +18,7 @@ from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Motion
 from sandbox.physics.contacts.direct.prediction.convex_parts import TOUCHING, Pair
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
-from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, put
+from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, to_plane
 from sandbox.physics.geometry.curve_contacts import verdict
 from sandbox.physics.geometry.outline_distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.root_finding import root
@@ -82,7 +82,7 @@ class _Line(NamedTuple):
             knots, near = side.course.knots, side.half + side.course.spacing / 2
             return cls(knots, near, float(np.abs(knots).max()) + near)
         arc = piece.arc
-        if arc is None or piece.away:
+        if arc is None or piece.outward:
             return None
         half = acos(arc.cosine) if arc.cosine >= -1 else pi
         ways = np.exp(1j * np.linspace(-half, half, SAMPLES + 1))
@@ -236,7 +236,7 @@ class HollowPairs:
     def _close(self, pair: Pair, places: Places) -> Iterator[tuple[_Shape, _Shape]]:
         """Yield the pairs of shapes of two bodies that may overlap."""
         first, second = (
-            [(shape, put(place, shape.middle)) for shape in self._shapes[body]]
+            [(shape, to_plane(place, shape.middle)) for shape in self._shapes[body]]
             for body, place in zip(pair, places, strict=True)
         )
         for (one, here), (other, there) in product(first, second):

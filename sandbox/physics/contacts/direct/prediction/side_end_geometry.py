@@ -113,7 +113,7 @@ class Line(NamedTuple):
         """Return an arc or a curve; None for other pieces, and for closed ones."""
         if piece.curve:
             feet = piece.curve.course.ends
-            ends = [(f.point, -f.tangent if f.at == 0 else f.tangent) for f in feet]
+            ends = [(f.point, -f.tangent if f.parameter == 0 else f.tangent) for f in feet]
             return cls(ends, piece.curve.half, None) if ends else None
         arc = piece.arc
         if arc is None or arc.cosine < -1:

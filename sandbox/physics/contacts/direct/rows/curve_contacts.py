@@ -64,23 +64,23 @@ class CurveContact:
 
     def look(self, place: complex) -> FollowedContact:
         """Return the contact with P at a place, along the axes of the curve's body."""
-        first, foot = self.foot, self.course.follow(place, self.foot.at)
+        first, foot = self.foot, self.course.foot_point_near(place, self.foot.parameter)
         left = 1j * foot.tangent
         apart = dot(place - foot.point, left)
         turned = phase(foot.tangent / first.tangent)
-        way = self.course.length(first.at, foot.at) - self.start * turned
-        share = (1 - foot.bend * self.start) / (1 - foot.bend * apart)
+        way = self.course.length(first.parameter, foot.parameter) - self.start * turned
+        share = (1 - foot.curvature * self.start) / (1 - foot.curvature * apart)
         return FollowedContact(self.hand * apart, -self.hand * way, self.hand * left, share)
 
     @property
     def center(self) -> complex:
         """The centre of the osculating circle, along the axes of the curve's body [m]."""
-        return self.foot.point + 1j * self.foot.tangent / self.foot.bend
+        return self.foot.point + 1j * self.foot.tangent / self.foot.curvature
 
     @property
     def arched(self) -> bool:
         """Whether a straight side can touch the curve there, and not only with its ends."""
-        return self.hand * self.foot.bend < -FLAT
+        return self.hand * self.foot.curvature < -FLAT
 
 
 def on_curves(
@@ -109,9 +109,9 @@ def on_curves(
                     place += out * radius
                 where, turned = (complex(values[curve]) for values in placed)
                 touched, at = (on_curve - where) / turned, (place - where) / turned
-                near = course.foot(touched) or _end(course, touched, figures.rounding[curve])
+                near = course.foot_point(touched) or _end(course, touched, figures.rounding[curve])
                 if near:
-                    foot = course.follow(at, near.at)
+                    foot = course.foot_point_near(at, near.parameter)
                     left = 1j * foot.tangent
                     hand = 1 if dot(out / turned, left) >= 0 else -1
                     start = dot(at - foot.point, left)
@@ -162,6 +162,6 @@ def roll_on_curves(
         slip = rubs == one.point
         radius = one.radius
         if faces[one.point]:
-            radius = -1 / abs(one.foot.bend) - figures.rounding[one.curve]
+            radius = -1 / abs(one.foot.curvature) - figures.rounding[one.curve]
         own, other = rolls[:: one.sign]
         own[slip], other[slip] = radius, -radius

@@ -159,7 +159,7 @@ def test_what_lands_after_the_last_located_landing_does_not_overlap(scene: Level
     deepest, books = poured(scene, 1.0)
 
     assert deepest <= 1e-7
-    assert abs(books.closing.unexplained) <= 4e-3 * books.closing.turned
+    assert abs(books.closing.unexplained) <= 4e-3 * books.closing.turnover
 
 
 @pytest.mark.sweep
@@ -183,7 +183,7 @@ def test_a_car_drives_into_a_pile(rate: float, start: float) -> None:
     deepest, books = poured(crash(rate, start), 1.2)
 
     assert deepest <= 1e-6  # m; 2e-8 seen
-    assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turned
+    assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turnover
 
 
 @pytest.mark.sweep
@@ -193,7 +193,7 @@ def test_a_fast_car_drives_into_28_boxes(rate: float) -> None:
     deepest, books = poured(crash(rate, -2.5, rows=7, mass=1000, speed=10), 0.45)
 
     assert deepest <= 2e-5  # m; 4e-6 and 6e-6 seen
-    assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turned
+    assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turnover
 
 
 def test_a_crowd_that_bounces_on_a_floor_is_known_early(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -247,7 +247,7 @@ def test_boxes_in_a_round_valley_neither_overlap_nor_are_shot_out(seed: int) -> 
     deepest, books = poured(in_a_round_valley(seed), 0.8)
 
     assert deepest <= 1e-7  # m; 3e-9 seen
-    assert abs(books.closing.unexplained) <= 0.01 * books.closing.turned  # J; 0.4 % seen
+    assert abs(books.closing.unexplained) <= 0.01 * books.closing.turnover  # J; 0.4 % seen
 
 
 @pytest.mark.sweep
@@ -257,7 +257,7 @@ def test_boxes_among_discs_keep_their_gaps(bounces: float, depth: float) -> None
     deepest, books = poured(bin_of_boxes_and_discs(bounces), 1.0)
 
     assert deepest <= depth
-    assert abs(books.closing.unexplained) <= 3e-2 * books.closing.turned
+    assert abs(books.closing.unexplained) <= 3e-2 * books.closing.turnover
 
 
 @pytest.mark.sweep
@@ -274,7 +274,7 @@ def test_discs_stay_in_a_bowl(shape: Spec, place: tuple[float, float]) -> None:
     deepest, books = poured(bowl(shape, place), 1.2)
 
     assert deepest <= 1e-7
-    assert abs(books.closing.unexplained) <= 4e-3 * books.closing.turned
+    assert abs(books.closing.unexplained) <= 4e-3 * books.closing.turnover
 
 
 def test_without_the_stop_they_overlap_by_centimetres(monkeypatch: pytest.MonkeyPatch) -> None:

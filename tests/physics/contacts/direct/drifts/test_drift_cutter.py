@@ -301,13 +301,13 @@ def test_the_watchdog_does_not_take_a_bounce_for_what_is_lifted(
 ) -> None:
     """It would let pass as much more energy from nowhere, with each bounce."""
     lifted: list[float] = []
-    follow = PassiveAudit.follow
+    follow = PassiveAudit.add_correction
 
     def noted(self: PassiveAudit, now: Snapshot, contacts: Contacts, before: Array | None) -> None:
         follow(self, now, contacts, before)
-        lifted.append(self.lifted)
+        lifted.append(self.correction)
 
-    monkeypatch.setattr(PassiveAudit, "follow", noted)
+    monkeypatch.setattr(PassiveAudit, "add_correction", noted)
     world = build(dropped(60, SCENES["a disc"], bounces=True))
     for _ in range(60):
         world.advance()

@@ -3,7 +3,7 @@
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.advising.remedy_trials import tried
+from sandbox.physics.advising.remedy_trials import with_advice
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import BlockedError
 from tests.physics.scenes import GRAVITY, Spec, box, fixed, floor, level
@@ -39,6 +39,6 @@ def test_no_rate_is_advised_where_nothing_can_give_way(scene: Level) -> None:
     with pytest.raises(BlockedError, match="nothing can give way") as stopped:
         world.advance(200)
 
-    error = tried(stopped.value, scene, world.values, world.stepping)
+    error = with_advice(stopped.value, scene, world.values, world.stepping)
     assert error.rate is None
     assert "rate" not in str(error)
