@@ -28,6 +28,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.shapes import evaluate
 from sandbox.model.wire_points import along
+from sandbox.physics.geometry.quadrature import Antiderivative
 from sandbox.physics.geometry.quintic_curve import course
 from sandbox.physics.joints.exact.angle_equations import (
     AngleEquation,
@@ -187,20 +188,8 @@ def _in_time(length: Formula, values: Values) -> Callable[[float], float]:
 
 
 def _driven(rate: Formula, values: Values) -> Callable[[float], float]:
-    """Return the function from a time to the angle that a motor has turned by until then.
-
-    It integrates the rate between successive calls by the midpoint rule, as leapfrog's velocity
-    between two steps is that of the middle.
-    """
+    """Return the function from a time to the angle that a motor has turned by until then."""
     if "t" not in rate.names:
         steady = rate(values)
         return lambda t: steady * t
-    turned, reached = 0.0, 0.0
-
-    def angle(t: float) -> float:
-        nonlocal turned, reached
-        middle = np.asarray((reached + t) / 2)
-        turned, reached = turned + (t - reached) * float(rate.over(values, middle)), t
-        return turned
-
-    return angle
+    return Antiderivative(lambda t: rate.over(values, t))
