@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Formula
+from sandbox.model.functions import Formula, Function
 from sandbox.model.joints import (
     AngleStop,
     Gear,
@@ -44,7 +44,7 @@ from sandbox.physics.joints.exact.angle_equations import (
     winding,
 )
 from sandbox.physics.joints.exact.bead_on_wire import WireEquation
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation
+from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Equation
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.anchor import Anchor
@@ -183,13 +183,17 @@ def _rows(
             raise _no_case(spec)
 
 
-def _in_time(length: Formula, values: Values) -> Callable[[float], float]:
-    return lambda t: float(length.over(values, np.asarray(t)))
+def _in_time(length: Formula, values: Values) -> Change:
+    return Change(*(_at(f, values) for f in (length, length.slope("t"))))
 
 
-def _driven(rate: Formula, values: Values) -> Callable[[float], float]:
-    """Return the function from a time to the angle that a motor has turned by until then."""
+def _driven(rate: Formula, values: Values) -> Change:
+    """Return the change of the angle that a motor has turned by."""
     if "t" not in rate.names:
         steady = rate(values)
-        return lambda t: steady * t
-    return Antiderivative(lambda t: rate.over(values, t))
+        return Change(lambda t: steady * t, lambda _: steady)
+    return Change(Antiderivative(lambda t: rate.over(values, t)), _at(rate, values))
+
+
+def _at(formula: Function, values: Values) -> Callable[[float], float]:
+    return lambda t: float(formula.at(values, {"t": np.asarray(t)}))
