@@ -82,12 +82,12 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
 
 def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:
     """Return the rows of all joints and contacts at the current positions."""
-    lengths = joints.lengths(t), joints.lengths(t + joints.drift)
+    course = joints.course(t, t + joints.drift)
     if scene.direct:
-        return scene.direct.standing(lengths)
+        return scene.direct.standing(course)
     count = len(scene.mass)
     none, never = np.zeros((count, count)), np.zeros((count, count), dtype=bool)
     running = np.zeros((count, 2))
     surfaces = Surfaces(Figures([]), none, none, none, running, 0.0, 0.0, never)
     layout = lay_out(NO_CONTACTS, joints, surfaces, scene.mass > 0)
-    return Kick.at(joints.place(), joints, NO_CONTACTS, layout, running, lengths)
+    return Kick.at(joints.place(), joints, NO_CONTACTS, layout, running, course)

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import TYPE_CHECKING, TypeGuard
 
 import numpy as np
@@ -11,6 +10,7 @@ from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import ELASTIC
 from sandbox.model.number_bounds import SpringLaw
+from sandbox.physics.geometry.quadrature import gauss
 from sandbox.physics.state.anchor import Anchor, Plane
 from sandbox.physics.state.motion import Motion
 
@@ -22,13 +22,6 @@ NODES = 40
 
 DAMPED = replace(ELASTIC, depends_on=(*ELASTIC.depends_on, "velocity"))
 """The declaration of the force of a spring with a damper."""
-
-
-@cache
-def _gauss() -> tuple[Array, Array]:
-    """Return the nodes and weights of Gauss–Legendre quadrature from -1 to 1."""
-    nodes, weights = np.polynomial.legendre.leggauss(NODES)
-    return nodes, weights
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +37,7 @@ class Law:
 
     def energy(self, x: Array) -> Array:
         """Return ∫ f dx from 0 to x [J] by Gauss's rule, exact to rounding if f is smooth."""
-        nodes, weights = _gauss()
+        nodes, weights = gauss(NODES)
         points = x[..., None] * (nodes + 1) / 2
         forces = np.broadcast_to(self.force(points), points.shape)
         return np.asarray(x / 2 * (forces @ weights))

@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Formula
+from sandbox.model.functions import Formula, Function
 from sandbox.model.joints import (
     AngleStop,
     Gear,
@@ -28,6 +28,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.shapes import evaluate
 from sandbox.model.wire_points import along
+from sandbox.physics.geometry.quadrature import Antiderivative
 from sandbox.physics.geometry.quintic_curve import course
 from sandbox.physics.joints.exact.angle_equations import (
     AngleEquation,
@@ -43,7 +44,7 @@ from sandbox.physics.joints.exact.angle_equations import (
     winding,
 )
 from sandbox.physics.joints.exact.bead_on_wire import WireEquation
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation
+from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Equation
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.anchor import Anchor
@@ -182,25 +183,17 @@ def _rows(
             raise _no_case(spec)
 
 
-def _in_time(length: Formula, values: Values) -> Callable[[float], float]:
-    return lambda t: float(length.over(values, np.asarray(t)))
+def _in_time(length: Formula, values: Values) -> Change:
+    return Change(*(_at(f, values) for f in (length, length.slope("t"))))
 
 
-def _driven(rate: Formula, values: Values) -> Callable[[float], float]:
-    """Return the function from a time to the angle that a motor has turned by until then.
-
-    It integrates the rate between successive calls by the midpoint rule, as leapfrog's velocity
-    between two steps is that of the middle.
-    """
+def _driven(rate: Formula, values: Values) -> Change:
+    """Return the change of the angle that a motor has turned by."""
     if "t" not in rate.names:
         steady = rate(values)
-        return lambda t: steady * t
-    turned, reached = 0.0, 0.0
+        return Change(lambda t: steady * t, lambda _: steady)
+    return Change(Antiderivative(lambda t: rate.over(values, t)), _at(rate, values))
 
-    def angle(t: float) -> float:
-        nonlocal turned, reached
-        middle = np.asarray((reached + t) / 2)
-        turned, reached = turned + (t - reached) * float(rate.over(values, middle)), t
-        return turned
 
-    return angle
+def _at(formula: Function, values: Values) -> Callable[[float], float]:
+    return lambda t: float(formula.at(values, {"t": np.asarray(t)}))

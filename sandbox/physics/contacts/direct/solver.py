@@ -44,6 +44,7 @@ from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
+from sandbox.physics.joints.exact.joint_system import Course
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -156,13 +157,10 @@ class DirectSolver:
         """Begin at a time, and not at the start [s]."""
         self._build.go_on(t)
 
-    def standing(self, lengths: tuple[Array, Array]) -> Kick:
-        """Return the system of all contacts and joints at present, between two steps.
-
-        `lengths` are what joints keep before and after a drift from there, (m,) each [m, rad].
-        """
+    def standing(self, course: Course) -> Kick:
+        """Return the system of all contacts and joints at present, before a drift of a course."""
         self.relay()
-        return self._build.standing(lengths)
+        return self._build.standing(course)
 
     def relay(self) -> None:
         """Begin anew with other joints, at the present positions."""

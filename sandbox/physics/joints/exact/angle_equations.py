@@ -1,7 +1,7 @@
 """Equations with the angles of bodies: fixed angles, gears, and strings wound on wheels."""
 
 from cmath import exp, phase
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from math import atan2, fsum, pi, sqrt, tau
 from typing import TypeVar
@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.model.translatable_message import Message
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, Share
+from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Share
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure
@@ -29,7 +29,7 @@ class AngleEquation:
     a: int
     b: int
     length: float
-    changing: Callable[[float], float] | None = None
+    changing: Change | None = None
     pulls_only: bool = False
     sense: int = 1
     ratio: float = 1.0
@@ -189,7 +189,7 @@ def turn(
     a: Anchor,
     b: Anchor,
     start: Coordinates,
-    changing: Callable[[float], float] | None = None,
+    changing: Change | None = None,
 ) -> AngleEquation:
     """Return the equation that keeps the angle of b relative to a, plus a given change in time."""
     first, second = number(a), number(b)

@@ -4,8 +4,6 @@ The gradient of the distance is the unit normal at the foot point, which Newton'
 the last foot point.
 """
 
-from collections.abc import Callable
-
 import numpy as np
 
 from sandbox.model.translatable_message import Message
@@ -42,7 +40,7 @@ class WireEquation:
     """
 
     length = 0.0
-    changing: Callable[[float], float] | None = None
+    changing: None = None
     pulls_only = False
 
     def __init__(self, joint: str, bead: Anchor, points: Points) -> None:

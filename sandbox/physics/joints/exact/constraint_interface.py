@@ -113,6 +113,13 @@ class Share(NamedTuple):
     angle: float
 
 
+class Change(NamedTuple):
+    """A change of a value to keep, as functions of time [s]."""
+
+    by: Callable[[float], float]  # m, rad
+    rate: Callable[[float], float]  # m/s, rad/s
+
+
 class Condition(Protocol):
     """A constraint C(q) = `length`, where C is a length, a multiple of one, or an angle."""
 
@@ -127,8 +134,8 @@ class Condition(Protocol):
         ...
 
     @property
-    def changing(self) -> Callable[[float], float] | None:
-        """The change of that value as a function of time [s]; None if it is constant."""
+    def changing(self) -> Change | None:
+        """The change of that value in time; None if it is constant."""
         ...
 
     @property

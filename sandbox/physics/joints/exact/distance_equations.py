@@ -1,6 +1,6 @@
 """Rods, ropes, strings and pivots: sums of lengths, computed together for a whole scene."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass
 from typing import Any
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, Rows
+from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Rows
 from sandbox.physics.state.anchor import Anchor, Plane
 
 TINY = 1e-300
@@ -24,8 +24,8 @@ class Row:
     """The segments whose lengths are added, each between two ends."""
     length: float
     """The sum to keep [m]."""
-    changing: Callable[[float], float] | None = None
-    """The change of that sum [m] as a function of time [s]; None if it is constant."""
+    changing: Change | None = None
+    """The change of that sum in time; None if it is constant."""
     pulls_only: bool = False
     """Whether the sum is an upper bound, as for a rope."""
     along: complex | None = None

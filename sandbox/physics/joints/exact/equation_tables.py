@@ -1,6 +1,6 @@
 """Tables of the equations of exact joints, and their Jacobian."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from math import isfinite
 from typing import cast
@@ -80,18 +80,23 @@ class Equations:
             return kept
         length = kept.copy()
         for i, changing in self.changing:
-            length[i] += changing(t)
-            if not isfinite(length[i]):
-                name = self.names[i]
-                raise JointFailure(
-                    name,
-                    Message(
-                        "the constraint of '{name}' has no finite value at t = {t:.3g} s",
-                        name=name,
-                        t=t,
-                    ),
-                )
+            length[i] += self._finite(i, changing.by, t)
         return length
+
+    def rates(self, t: float) -> Array:
+        """Return the rates of change of the values to keep at a time [s]: (m,) [m/s, rad/s]."""
+        rates = np.zeros(len(self.names))
+        for i, changing in self.changing:
+            rates[i] = self._finite(i, changing.rate, t)
+        return rates
+
+    def _finite(self, row: int, value: Callable[[float], float], t: float) -> float:
+        found = value(t)
+        if isfinite(found):
+            return found
+        name = self.names[row]
+        rule = "the constraint of '{name}' has no finite value at t = {t:.3g} s"
+        raise JointFailure(name, Message(rule, name=name, t=t))
 
     def look(self, place: Coordinates) -> Rows:
         """Return the values at given positions, and their Jacobian."""

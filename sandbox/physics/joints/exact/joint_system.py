@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,6 +19,14 @@ from sandbox.physics.joints.exact.constraint_interface import (
 )
 from sandbox.physics.joints.exact.distance_equations import Reaches, Row
 from sandbox.physics.joints.exact.equation_tables import Equations
+
+
+class Course(NamedTuple):
+    """The values that joints keep at the start and at the end of a drift: (m,) [m, rad]."""
+
+    before: Array
+    after: Array
+    t: float  # s, at its start
 
 
 class JointSystem:
@@ -121,6 +130,10 @@ class JointSystem:
     def lengths(self, t: float) -> Array:
         """Return the values to keep at a time [s]: (m,) [m, rad]."""
         return self.equations.lengths(self.length, t)
+
+    def course(self, start: float, end: float) -> Course:
+        """Return the values to keep at both ends of a drift, given by their times [s]."""
+        return Course(self.lengths(start), self.lengths(end), start)
 
     def jacobian(self, place: Array | None = None) -> Array:
         """Return the derivatives of the rows by the bodies' positions and angles: (m, n, 3).

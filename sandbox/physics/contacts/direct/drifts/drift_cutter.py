@@ -276,10 +276,10 @@ class DriftCutter(PartSolver):
             down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
             near = [pair for pair in near if pair not in met.pairs]
         joints.time(left, left)
-        lengths = joints.lengths(self._until - left), joints.lengths(self._until)
+        course = joints.course(self._until - left, self._until)
         rest = self._meetings.resting(shorter, near)
         known = shorter.kick.contacts_at(place).followed_by(rest)
-        kick = self._following(shorter, self._build.anew(place, known.followed_by(down), lengths))
+        kick = self._following(shorter, self._build.anew(place, known.followed_by(down), course))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self._take_in(around(kick, down.followed_by(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
@@ -298,14 +298,14 @@ class DriftCutter(PartSolver):
         """Return the part after contacts pass the ends of sides, of length `left` [s]."""
         place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
         joints.time(left, left)
-        lengths = joints.lengths(self._until - left), joints.lengths(self._until)
-        ended = shorter._replace(kick=shorter.kick.between(place, *lengths))
+        course = joints.course(self._until - left, self._until)
+        ended = shorter._replace(kick=shorter.kick.between(place, course))
         _, begun, stages = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
         beside = self._meetings.beside(ended, begun, met, near)
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
         kick = self._build.anew(
-            place, known.followed_by(beside).followed_by(after), lengths, at_ends
+            place, known.followed_by(beside).followed_by(after), course, at_ends
         )
         kick = self._following(shorter, kick)
         self._take_in(around(kick, beside.bodies.tolist()))

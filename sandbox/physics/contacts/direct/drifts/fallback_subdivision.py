@@ -7,7 +7,7 @@ In these kicks the forces are those of the last one, and the contacts and joints
 pymunk receives the mean velocities of the whole drift.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -19,6 +19,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
+from sandbox.physics.joints.exact.joint_system import Course
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 PARTS = (2, 4, 8, 16, 32)
@@ -152,9 +153,9 @@ def through(
     lost: JointFailure | NoForces | None = None
     for parts in PARTS:
         times = until - whole + whole * np.arange(parts + 1) / parts
-        lengths = [joints.lengths(float(t)) for t in times]
+        courses = [joints.course(*drift) for drift in pairwise(times.tolist())]
         try:
-            return _in_parts(kick, acceleration, lengths, take, placed=parts < PARTS[-1])
+            return _in_parts(kick, acceleration, courses, take, placed=parts < PARTS[-1])
         except (JointFailure, NoForces) as error:
             lost = error
         finally:
@@ -166,22 +167,22 @@ def through(
 def _in_parts(
     kick: Kick,
     acceleration: Array,
-    lengths: list[Array],
+    courses: Sequence[Course],
     take: Callable[..., KickResult],
     *,
     placed: bool,
 ) -> SolvedDrift:
-    """Return the drift, given the joints' lengths at the ends of its parts: (m,) each [m, rad]."""
-    joints, whole, parts = kick.joints, kick.joints.drift, len(lengths) - 1
-    drift = whole / parts
+    """Return the drift, given the joints' lengths in its parts."""
+    joints, whole = kick.joints, kick.joints.drift
+    drift = whole / len(courses)
     missing = (whole - drift) / 2  # of the length of the kicks before and after
     joints.time(whole - missing, drift)
-    first = take(kick.lasting(lengths[0], lengths[1]), placed=placed)
+    first = take(kick.lasting(courses[0]), placed=placed)
     moved, forces, active = first.moved, first.forces, first.active
     joints.time(drift, drift)
     place, inner = Coordinates(kick.place.values + drift * moved), []
-    for before, after in pairwise(lengths[1:]):
-        now = kick.between(place, before, after)
+    for course in courses[1:]:
+        now = kick.between(place, course)
         motion = moved + drift * acceleration
         impulse, moved, active, _ = hold(
             now, motion, (drift * forces, active), driven=False, placed=placed

@@ -44,7 +44,7 @@ class PartSolver:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.left
         joints.time(drift, drift)
-        kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
+        kick = part.kick.lasting(joints.course(start, start + drift))
         mine, _, drive = others_of(part, self._laws, self.reached)
         motion = part.begun + lasts * drive
         part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)

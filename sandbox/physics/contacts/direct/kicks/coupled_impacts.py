@@ -220,7 +220,7 @@ def impulses(
     """
     layout, joints = kick.layout, kick.layout.joints
     rate = kick.here.jacobian @ motion + leaves
-    rate[joints] += kick.joint_rates()
+    rate[joints] += kick.rates_now()
     rate[layout.slips] += kick.runs
     slack = np.zeros(len(rate), dtype=bool)
     slack[joints] = kick.slack

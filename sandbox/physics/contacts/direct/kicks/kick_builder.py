@@ -15,6 +15,7 @@ from sandbox.physics.contacts.direct.solving.overlap_correction import OverlapCo
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
+from sandbox.physics.joints.exact.joint_system import Course
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 
@@ -42,7 +43,7 @@ class KickBuilder:
         self._still: Array = np.zeros((len(moves), 3))
         self._still.setflags(write=False)
         self._until = 0.0
-        self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
+        self._course = joints.course(0.0, 0.0)
         self._layouts = Layouts(joints, surfaces, moves)
         self._false, self._corners = FalseContacts(query), CornerPairs()
         self._overlaps = OverlapCorrection(surfaces, known)
@@ -67,17 +68,16 @@ class KickBuilder:
         """Take up the lengths that joints keep before and after a drift that ends at a time [s]."""
         if until == self._until and not np.count_nonzero(self._joints.added):
             return
-        lengths, last = self._joints.lengths(until), self._lengths[1]
         self._until = until
-        self._lengths = last if len(last) == len(lengths) else lengths, lengths
+        self._course = self._joints.course(until - self._joints.drift, until)
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
-        self._lengths = self._joints.lengths(t), self._joints.lengths(t)
+        self._course = self._joints.course(t, t)
 
-    def standing(self, lengths: tuple[Array, Array]) -> Kick:
+    def standing(self, course: Course) -> Kick:
         """Return the system at the present positions; see `DirectSolver.standing`."""
-        self._lengths = lengths
+        self._course = course
         return self.at(self._joints.place())
 
     def relay(self) -> None:
@@ -119,7 +119,7 @@ class KickBuilder:
         joints = self._joints
         self.contacts = self._corners.steady(self.contacts, place, joints.origin)
         layout, running = self._layouts.of(self.contacts), self._surfaces.running
-        kick = Kick.at(place, joints, self.contacts, layout, running, self._lengths)
+        kick = Kick.at(place, joints, self.contacts, layout, running, self._course)
         self._corners.note(kick)
         return kick
 
@@ -131,14 +131,14 @@ class KickBuilder:
             known = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
             layout = layout.at_ends(np.pad(known, ((0, 0), (0, len(ahead.bodies)))))
         running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
-        lengths = kick.before, kick.after
-        return Kick.at(kick.place, self._joints, contacts, layout, running, lengths, closes)
+        course = Course(kick.before, kick.after, kick.t)
+        return Kick.at(kick.place, self._joints, contacts, layout, running, course, closes)
 
     def anew(
         self,
         place: Coordinates,
         contacts: Contacts,
-        lengths: tuple[Array, Array],
+        course: Course,
         ends: Booleans | None = None,
     ) -> Kick:
         """Return the system of contacts at given positions, between lengths of the joints.
@@ -148,4 +148,4 @@ class KickBuilder:
         layout, running = self._layouts.anew(contacts), self._surfaces.running
         if ends is not None and ends.any():
             layout = layout.at_ends(ends)
-        return Kick.at(place, self._joints, contacts, layout, running, lengths)
+        return Kick.at(place, self._joints, contacts, layout, running, course)

@@ -18,6 +18,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     blur,
     planes,
 )
+from sandbox.physics.joints.exact.joint_system import Course
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
 
 PROUD = 1e-9
@@ -53,6 +54,8 @@ class Kick:
         (f,), the slip velocities of running surfaces, such as belts [m/s].
     before, after
         (m,), the lengths that joints keep before and after the drift [m, rad].
+    t
+        The time of the kick [s].
     closes
         How many of the contacts, the last ones, are still open, and close within the drift.
     """
@@ -67,6 +70,7 @@ class Kick:
     runs: Array
     before: Array
     after: Array
+    t: float
     closes: int = 0
 
     @classmethod
@@ -77,20 +81,20 @@ class Kick:
         contacts: Contacts,
         layout: Layout,
         running: Array,
-        lengths: tuple[Array, Array],
+        course: Course,
         closes: int = 0,
     ) -> "Kick":
         """Return the system at a place.
 
         `running`, (n, 2), are the velocities of running surfaces relative to their bodies [m/s];
-        `lengths`, (m,) each, are those that joints keep before and after the drift [m, rad].
+        `course` are the lengths that joints keep before and after the drift.
         The last `closes` contacts close only within the drift.
         """
         found = features(contacts, layout.touching, place, joints.origin)
         here = rows_at(place, joints, found)
         response, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
         return cls(
-            joints, contacts, layout, found, place, here, response, runs, *lengths, closes=closes
+            joints, contacts, layout, found, place, here, response, runs, *course, closes=closes
         )
 
     def moved(self, place: Coordinates) -> "Kick":
@@ -151,13 +155,13 @@ class Kick:
             points=np.stack((points.real, points.imag), 2), depths=depths
         )
 
-    def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
+    def between(self, place: Coordinates, course: Course) -> "Kick":
         """Return the system at other positions, for a drift between other lengths of the joints."""
-        return self.moved(place).lasting(before, after)
+        return self.moved(place).lasting(course)
 
-    def lasting(self, before: Array, after: Array) -> "Kick":
-        """Return the same before a drift between other lengths of the joints: (m,) each."""
-        return replace(self, before=before, after=after)
+    def lasting(self, course: Course) -> "Kick":
+        """Return the same before a drift between other lengths of the joints."""
+        return replace(self, before=course.before, after=course.after, t=course.t)
 
     def leaning(self, moved: Array, forces: Array) -> "Kick | None":
         """Return the system with the friction of tilting sides at the point that bears the load.
@@ -184,19 +188,8 @@ class Kick:
     def _on(self, found: Features, place: Coordinates) -> "Kick":
         """Return the system with other contact points, or at other positions."""
         here = rows_at(place, self.joints, found)
-        return Kick(
-            self.joints,
-            self.contacts,
-            self.layout,
-            found,
-            place,
-            here,
-            here.jacobian * self.joints.inverse,
-            self.runs,
-            self.before,
-            self.after,
-            self.closes,
-        )
+        response = here.jacobian * self.joints.inverse
+        return replace(self, features=found, place=place, here=here, response=response)
 
     def rows(self, way: Array) -> Rows:
         """Return the rows after a displacement, (3 N,); see `rows_at`."""
@@ -244,8 +237,16 @@ class Kick:
         return blur(self.place.values, self.joints.drift)
 
     def joint_rates(self) -> Array:
-        """Return the rates of change of the lengths that joints keep: (m,) [m/s, rad/s]."""
+        """Return the mean rates of the lengths that joints keep in the drift: (m,) [m/s, rad/s]."""
         return np.asarray((self.after - self.before) / self.joints.drift)
+
+    def rates_now(self) -> Array:
+        """Return the rates of these lengths at the time of the kick: (m,) [m/s, rad/s].
+
+        An impact is at that instant: with the mean rates of the drift after it, what a motor of
+        changing rate drives would bounce with an error of first order.
+        """
+        return self.joints.equations.rates(self.t)
 
     def wrenches(self, impulse: Array, body: int) -> Array:
         """Return the impulses on a body by each contact: (2, k, 3) [N s, N m s].
