@@ -198,10 +198,13 @@ class Ledger:
         """Book the events within the last drift; return the velocities at its end: (n, 3)."""
         step = self._step
         if step.acted and step.divided:  # at the start of a drift with landings
-            self._entries.put_in({"events": step.acted.switched})
+            self._turn_off(step.divided)
+            self._act(step.acted)
             return self._divide(step.divided)
         if step.acted:
-            return self._act(step.acted)
+            self._go_on(step.acted.begun, step.acted.lifted)
+            self._act(step.acted)
+            return step.acted.begun
         if step.stop:
             return self._stop(step.stop)
         if step.divided:
@@ -269,9 +272,8 @@ class Ledger:
         self._entries.support(stop.given)
         return stop.begun
 
-    def _act(self, happened: EventEntries) -> Array:
-        """Book the events in the last drift; return the velocities at its end."""
-        self._go_on(happened.begun, happened.lifted)
+    def _act(self, happened: EventEntries) -> None:
+        """Book the events in the last drift, and what forces do differently because of them."""
         self._entries.put_in({"events": happened.switched, **happened.rubs})
         self._entries.rub(happened.rubbed)
         rest = happened.given
@@ -285,7 +287,16 @@ class Ledger:
         self._entries.support(rest)
         for jolt in happened.jolts:
             self._causes.jolt(jolt)
-        return happened.begun
+
+    def _turn_off(self, divided: "DividedDrift") -> None:
+        """Leave the path foreseen for the last drift, since joints changed at its start."""
+        (foreseen, dt), velocity = (self._end, self._step.dt), divided.before[-1].velocity
+        begins, lasts = self._step.t - dt, divided.first * dt / 2
+        place = np.column_stack((foreseen.position, foreseen.angle))
+        place += (begins - float(foreseen.t)) * velocity_of(foreseen)
+        self._end = Instant.at(begins + lasts, place + lasts * velocity, velocity)
+        held, last = pulls_of(self._scene.joints, len(self._scene.inertia)), self._pulls[0]
+        self._pulls, self._slack = (held, last), held.among(last.numbered(self._slack))
 
     def _go_on(self, begun: Array, lifted: float) -> None:
         """Set the motion in the middle of the last drift as if the drift had not been cut.

@@ -75,9 +75,8 @@ class EventStage:
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
         self._running = surfaces(scene.bodies.values())
-        self._past: tuple[JointForces, JointForces] | None = (
-            None  # in the last kick and the one before
-        )
+        # those in the last kick, and in the one before
+        self._past: tuple[JointForces, JointForces] | None = None
         self._parts: list[Part] = []
         self._jolts: list[Jolt] = []
         self._switched = 0.0
@@ -206,7 +205,8 @@ class EventStage:
             yield from (*before, part)
             part = self._happen(part, left, act)
         self._waiting.note()
-        yield from self._halves(part) if self._jolts and self._leapfrog else (part,)
+        halved = self._jolts and self._leapfrog and not self._landing
+        yield from self._halves(part) if halved else (part,)
 
     def _first(self, part: Part) -> tuple[str, float] | None:
         """Return the first event in a part, and the time from its start [s]; None if none."""
