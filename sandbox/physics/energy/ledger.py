@@ -207,10 +207,13 @@ class Ledger:
         """Book the events within the last drift; return the velocities at its end: (n, 3)."""
         step = self._step
         if step.events and step.divided_drift:  # at the start of a drift with landings
-            self._entries.add_works({"events": step.events.switched})
+            self._leave_foreseen_path(step.divided_drift)
+            self._book_events(step.events)
             return self._book_divided_drift(step.divided_drift)
         if step.events:
-            return self._book_events(step.events)
+            self._set_mid_drift(step.events.begun, step.events.lifted)
+            self._book_events(step.events)
+            return step.events.begun
         if step.slip_ends:
             return self._book_slip_ends(step.slip_ends)
         if step.divided_drift:
@@ -278,9 +281,8 @@ class Ledger:
         self._entries.add_support(stop.given)
         return stop.begun
 
-    def _book_events(self, happened: EventEntries) -> Array:
-        """Book the events in the last drift; return the velocities at its end."""
-        self._set_mid_drift(happened.begun, happened.lifted)
+    def _book_events(self, happened: EventEntries) -> None:
+        """Book the events in the last drift, and what forces do differently because of them."""
         self._entries.add_works({"events": happened.switched, **happened.rubs})
         self._entries.add_friction(happened.rubbed)
         support_impulse = happened.given
@@ -294,7 +296,18 @@ class Ledger:
         self._entries.add_support(support_impulse)
         for jolt in happened.jolts:
             self._attribution.book_jolt(jolt)
-        return happened.begun
+
+    def _leave_foreseen_path(self, divided: "DividedDrift") -> None:
+        """Leave the path foreseen for the last drift, since joints changed at its start."""
+        (foreseen, dt), velocity = (self._end, self._step.dt), divided.before[-1].velocity
+        start, duration = self._step.t - dt, divided.first * dt / 2
+        place = np.column_stack((foreseen.position, foreseen.angle))
+        place += (start - float(foreseen.t)) * velocity_of(foreseen)
+        self._end = Instant.at(start + duration, place + duration * velocity, velocity)
+        held = pulls_of(self._scene.joints, len(self._scene.inertia))
+        last = self._joint_forces[0]
+        self._joint_forces = held, last
+        self._was_slack = held.among(last.numbered(self._was_slack))
 
     def _set_mid_drift(self, begun: Array, lifted: float) -> None:
         """Set the motion in the middle of the last drift as if the drift had not been cut.

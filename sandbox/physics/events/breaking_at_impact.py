@@ -11,6 +11,9 @@ A rope that becomes taut within a drift is stopped partly in the kick before it 
 kick after it. The whole jerk J = m u counts, wherever in the drift it happens. The first kick gives
 the share (u − u')/u of it, where u and u' are the rates of extension before and after that kick.
 
+Bodies that land within a drift strike in the middle of it. If a landing breaks a joint, the joint
+breaks at the step before it, up to a step too early: the kick and its drift are solved again.
+
 A joint that catches within a drift, or a body that bounces off a stop, is an impact at its own
 time. It breaks joints by the same rule, and is solved again without each joint that it breaks,
 which may be the joint that catches.
@@ -39,14 +42,19 @@ class JointBreaking:
     """Solves the joints of a scene in a kick, and again without each joint that a blow breaks.
 
     `joints` are solved together by `solve`, from the velocities that pymunk leaves; `borne` is the
-    breaking force of each joint that has one, by name [N].
+    breaking force of each joint that has one, by name [N], and `dt` the time step [s].
     """
 
     def __init__(
-        self, scene: Scene, joints: ExactJoints, borne: Mapping[str, float], solve: Work
+        self,
+        scene: Scene,
+        joints: ExactJoints,
+        borne: Mapping[str, float],
+        dt: float,
+        solve: Work,
     ) -> None:
         self._scene, self._joints, self._solve = scene, joints, solve
-        self._borne = borne
+        self._borne, self._dt = borne, dt
 
     def __call__(self, kick: Kick) -> None:
         """Solve a kick. A trial kick, of bodies that are held in place, breaks nothing."""
@@ -56,6 +64,8 @@ class JointBreaking:
         while kick.start is None and (broken := self._broken(before, velocity)):
             _break(self._scene, broken, kick.t)
             batch.set_velocity(velocity)
+            if self._scene.direct:
+                self._scene.direct.drifts.take_back()
             self._solve(kick)
 
     def _forces(self) -> dict[str, float]:
@@ -70,7 +80,20 @@ class JointBreaking:
             whole = force if before[name] else force * self._jerk(name, velocity)
             if whole >= self._borne[name] and whole - before[name] > SUDDEN * self._borne[name]:
                 found[name] = whole / self._borne[name]
+        for name, share in self._struck().items():
+            if share >= 1:
+                found[name] = max(share, found.get(name, 0.0))
         return max(found, key=lambda name: found[name], default=None)
+
+    def _struck(self) -> dict[str, float]:
+        """Return the impulses of landings in the coming drift, as shares of what joints bear."""
+        divided = self._scene.direct.drifts.divided if self._scene.direct else None
+        if not divided:
+            return {}
+        at_once = [one.stage.pulls for one in divided.between if one.stage.lasts == 0]
+        if not at_once:
+            return {}
+        return _shares(self._scene, self._borne, self._dt, np.sum(at_once, axis=0))
 
     def _jerk(self, name: str, velocity: Array) -> float:
         """Return the ratio of the whole jerk to the share of it that a kick has given."""
@@ -99,15 +122,22 @@ def borne_jolt(
 
 def _overloaded(scene: Scene, borne: Mapping[str, float], dt: float, found: Jolt) -> str | None:
     """Return the joint that an impact overloads most; None if there is none."""
+    shares = _shares(scene, borne, dt, found.pulls.tension)
+    most = max(shares, key=lambda name: shares[name], default=None)
+    return most if most is not None and shares[most] >= 1 else None
+
+
+def _shares(
+    scene: Scene, borne: Mapping[str, float], dt: float, impulses: Array
+) -> dict[str, float]:
+    """Return the impulses of joints, from those of all equations, as shares of what they bear."""
     together = scene.joints.together
     pulling = together.equations.pulling if together else {}
-    shares = {
-        name: float(np.linalg.norm(found.pulls.tension[pulling[name]])) / (dt * load)
+    return {
+        name: float(np.linalg.norm(impulses[pulling[name]])) / (dt * load)
         for name, load in borne.items()
         if name in pulling
     }
-    most = max(shares, key=lambda name: shares[name], default=None)
-    return most if most is not None and shares[most] >= 1 else None
 
 
 def _break(scene: Scene, name: str, t: float) -> None:

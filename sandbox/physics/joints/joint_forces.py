@@ -1,7 +1,7 @@
 """The forces of exact joints in a kick, for the energy books."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -34,15 +34,18 @@ class JointForces(NamedTuple):
         """
         if all(np.array_equal(one.joints, self.joints) for one in (last, first)):
             return np.asarray((last.tension <= 0) | (first.tension <= 0))
-        slack = {row for one in (last, first) for row in one.numbered(one.tension <= 0)}
-        return np.array([row in slack for row in self.numbered()], dtype=bool)
+        return self.among(row for one in (last, first) for row in one.numbered(one.tension <= 0))
 
     def new(self, last: "JointForces") -> Booleans:
         """Return which of these did not exist in the last kick: (m,)."""
         if np.array_equal(last.joints, self.joints):
             return np.zeros(len(self.joints), dtype=bool)
-        there = set(last.numbered())
-        return np.array([row not in there for row in self.numbered()], dtype=bool)
+        return ~self.among(last.numbered())
+
+    def among(self, equations: Iterable[tuple[str, int]]) -> Booleans:
+        """Return which of these are among equations that are `numbered`: (m,)."""
+        there = set(equations)
+        return np.array([row in there for row in self.numbered()], dtype=bool)
 
     def numbered(self, which: Booleans | None = None) -> list[tuple[str, int]]:
         """Return the joint of each equation, or of some, and its index among that joint's."""

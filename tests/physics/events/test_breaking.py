@@ -148,6 +148,48 @@ def test_a_branch_knows_what_has_broken() -> None:
     assert other.snapshot.tension[0] == 0
 
 
+def struck(load: float, rate: float = 240) -> Level:
+    """A ball that falls half a metre on a weight on a rope, and one that falls to the ground."""
+    bodies = {
+        "weight": disc((0, 5), radius=0.1, mass=2, restitution=1),
+        "ball": disc((0, 5.7), radius=0.1, restitution=1),
+        "far": disc((5, 0.6), radius=0.1, restitution=1),
+        "ground": floor(restitution=1),
+    }
+    rope = {"type": "rope", "ends": [[0, 7], "weight"], "breaks_at": load}
+    effects = {**GRAVITY, "contact": {}, "restitution": {}}
+    return level(bodies, effects, joints={"rope": rope}, stepping={"rate": rate})
+
+
+@pytest.mark.parametrize("rate", [60, 240])
+def test_what_lands_beside_a_joint_that_may_break_lands_at_its_time(rate: float) -> None:
+    """Both balls sank up to 5 cm into what they met at 60 Hz, and their books did not close."""
+    world, books = booked(struck(1e6, rate), 0.55)
+    fell = sqrt(2 * 0.5 / G)
+    t = 0.55 - fell
+    rise = G * fell * t - G * t**2 / 2
+
+    assert not world.scene.happened
+    assert world.snapshot.position[1:3, 1] == pytest.approx([5.2 + rise, 0.1 + rise], abs=1e-7)
+    assert np.abs(books.balance.unexplained_impulse).max() < 1e-11
+    assert abs(books.balance.unexplained) < 1e-9
+
+
+@pytest.mark.parametrize("rate", [60, 240])
+def test_a_landing_that_breaks_a_rope_goes_on_as_if_it_had_not_been_there(rate: float) -> None:
+    """Balls of 1 and 2 kg then part with a third and two thirds of the speed of the first."""
+    world, books = booked(struck(50, rate), 0.35)
+    fell = sqrt(2 * 0.5 / G)
+    speed, late = G * fell, G * (0.35 - fell)
+
+    assert list(world.scene.happened) == ["rope breaks"]
+    assert 0 <= fell - world.scene.happened["rope breaks"] <= 1 / rate
+    assert world.snapshot.velocity[:2, 1] == pytest.approx(
+        [-2 / 3 * speed - late, speed / 3 - late], abs=2 * G / rate
+    )
+    assert np.abs(books.balance.unexplained_impulse).max() < 1e-11
+
+
 def test_a_load_that_is_nothing_is_told() -> None:
     with pytest.raises(LevelError, match="breaks_at"):
         swung(0)

@@ -39,7 +39,7 @@ def bearing(setup: Setup, solve: Work) -> Work:
         return solve
     from sandbox.physics.events.breaking_at_impact import JointBreaking
 
-    return JointBreaking(setup.scene, together, limits, solve)
+    return JointBreaking(setup.scene, together, limits, setup.kicks.clock.dt, solve)
 
 
 def _all(work: Sequence[Work]) -> Work | None:

@@ -49,6 +49,10 @@ class Drifts:
         self.landings, self._lands = self._lands, self._none
         self.parted = _without(self.landings.met, contacts)
 
+    def take_back(self) -> None:
+        """Go back to before the last `begin`, since its kick is solved again."""
+        self.divided, self._leads, self._lands = self.drifted, self.led, self.landings
+
     def forget(self) -> None:
         """Forget the drift after the last kick: bodies were put elsewhere, or joints changed."""
         self.divided = self._leads = None

@@ -6,7 +6,6 @@ import numpy as np
 import pymunk
 
 from sandbox.model.body import Body
-from sandbox.model.events import breakable
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
@@ -69,12 +68,9 @@ def _in_sequence(level: Level) -> bool:
 
 
 def _left_to_it(level: Level) -> Booleans:
-    """Return which pairs, (n, n), may land within a drift, as nothing else needs their impacts.
-
-    Bodies that stick, and joints that break, need a whole blow at one step, and not its parts.
-    """
+    """Return which pairs, (n, n), do not stick, and so need not wait for a step."""
     sticking, names = level.effects.sticking, list(level.bodies)
-    left = np.full((len(names), len(names)), not any(breakable(level.joints)))
+    left = np.ones((len(names), len(names)), dtype=bool)
     for pair in sticking.pairs if sticking else ():
         a, b = (names.index(name) for name in pair.bodies)
         left[a, b] = left[b, a] = False
