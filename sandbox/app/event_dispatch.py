@@ -1,5 +1,7 @@
 """Dispatches events: keys, clicks and dropped files go to their handlers."""
 
+from pathlib import Path
+
 import pygame
 
 from sandbox.app.command_actions import CommandActions
@@ -33,7 +35,7 @@ class Events:
             space.surface = pygame.display.get_surface() or space.surface
             space.lay_out()
         elif event.type == pygame.DROPFILE:
-            space.open_level(event.file)
+            space.open_file(without_links(Path(event.file)))
         elif self._change(event) or self._zooms(event):
             return
         elif event.type == pygame.MOUSEBUTTONDOWN and space.panels.focus.leave():

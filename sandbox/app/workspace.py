@@ -17,7 +17,7 @@ from sandbox.app.measuring.stage_mouse import StageMouse
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
-from sandbox.app.panels import stage_messages
+from sandbox.app.panels import refused_level, stage_messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.runs import runfile
 from sandbox.app.runs.crash_recovery import LeftRun, RunRecovery
@@ -156,16 +156,21 @@ class Workspace:
     ) -> None:
         """Open a level's file, or a run's file with its actions; if that fails, show the error.
 
-        The settings, the accuracy and the rate [Hz] replace those of the level.
+        The settings, the accuracy and the rate [Hz] replace those of the level. The open level
+        stays where it is if the file is not one that somebody would mend, such as a picture.
         """
         self.files.read_again(path)
         self.panels.home.leave()
-        another = path != self.path
+        another, before = path != self.path, (self.path, self._settings, self._accuracy)
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
         ran = path.name.endswith(runfile.SUFFIX)
         try:
-            session = _replayed(path) if ran else self._begun(path, rate)
+            session = runfile.opened(path) if ran else self._begun(path, rate)
         except SandboxError as error:
+            if self.session is not None and (ran or path.suffix != ".json"):
+                self.path, self._settings, self._accuracy = before
+                self.banner.tell(refused_level.in_brief(path, error))
+                return
             self._refuse(path, error)
             self._refused_rate = error.rate if isinstance(error, SimulationError) else None
             return
@@ -337,11 +342,6 @@ def _open_surface(size: tuple[int, int]) -> pygame.Surface:
     pygame.font.init()
     pygame.display.set_caption(TITLE)
     return pygame.display.set_mode(size, pygame.RESIZABLE)
-
-
-def _replayed(path: Path) -> Session:
-    """Return a session of a run's file, which does not block the window."""
-    return runfile.session_of(runfile.read(path), patient=False)
 
 
 def _file(level: Level) -> Path | None:

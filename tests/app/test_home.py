@@ -482,6 +482,14 @@ def test_what_was_not_saved_is_offered_above_the_cards_and_gone_on_with(
     assert home(person).place(0).top < 2 * picture_cache.SIZE[1]
 
 
+def test_a_drawing_that_nobody_has_named_is_offered_in_the_language_of_the_window() -> None:
+    """It was called New level in German, too."""
+    drawn_and_lost("New level")
+    (left,) = recoverable()
+
+    assert draft_strip.summary(left).startswith("Not saved: a level without a name, drawn ")
+
+
 def test_without_drafts_the_cards_have_all_the_room(visitor: Person) -> None:
     stage = visitor.window.panels.layout.stage
 

@@ -305,3 +305,59 @@ def test_what_was_measured_at_a_landing_is_not_written_across_the_ground(pen: Pe
     texts = [place for place in stage.view.labels._taken if place.width > 60]
     assert len(texts) >= 3
     assert not any(place.clipline(*ground) for place in texts)
+
+
+@pytest.mark.parametrize(
+    ("name", "seconds"),
+    [("machines/flywheel", 1.0), ("rotation/torsion-pendulum", 2.4), ("rotation/electric-bell", 2)],
+)
+def test_what_was_measured_at_a_large_body_is_written_beside_it(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch, name: str, seconds: float
+) -> None:
+    """All places near the mark lie on the wheel, the gong or the hammer."""
+    session = Session(load(level_catalog.find(name)))
+    while session.t < seconds:
+        session.step()
+    stage = Stage(pen, (640, 700))
+    stage.use(session.world)
+    stage.fit()
+    stage.shown["names"] = False
+    places, _ = placed(monkeypatch)
+    stage.draw(pygame.Surface((640, 700)), session.trail, session.milestones())
+
+    filled = (*stage.view.moving, *(each for each in stage.view.still if each.radius))
+    bodies = boxes(stage.camera, ((each, *stage.view.state(each)) for each in filled))
+    assert places
+    assert all(place.collidelist(bodies) < 0 for place in places)
+
+
+def test_a_name_is_not_written_across_the_path_just_behind_its_body(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session = opened("newton/heavy-and-light", 45)
+    stage = Stage(pen, (640, 700))
+    stage.use(session.world)
+    stage.fit()
+    stage.shown["arrows"] = stage.shown["ghosts"] = False
+    places, _ = placed(monkeypatch)
+    stage.draw(pygame.Surface((640, 700)), session.trail)
+
+    rows = [each.row for each in stage.view.moving]
+    paths = [stage.camera.path(session.trail.points[:, row].tolist()) for row in rows]
+    assert len(places) == len(paths) == 2
+    assert not any(
+        place.clipline(*piece) for place in places for path in paths for piece in pairwise(path)
+    )
+
+
+def test_words_of_the_level_at_the_edge_are_not_cut_off(pen: Pen) -> None:
+    session = opened("momentum/bounce-by-bounce")
+    stage = Stage(pen, (400, 449))
+    stage.use(session.world)
+    stage.fit()
+    stage.shown["names"] = stage.shown["arrows"] = False
+    stage.draw(pygame.Surface((400, 449)))
+
+    texts = stage.view.labels._taken[1:]  # the first is the corner with the scale
+    assert len(texts) == 4
+    assert all(stage.view.labels.bounds.contains(place) for place in texts)

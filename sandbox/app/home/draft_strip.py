@@ -9,6 +9,7 @@ from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.runs.crash_recovery import LeftRun, left_runs
 from sandbox.app.words.language import later, say
 from sandbox.editing.draft_recovery import Recoverable, recoverable
+from sandbox.editing.edits.automatic_title import is_untitled
 
 Unsaved = Recoverable | LeftRun
 
@@ -79,6 +80,8 @@ def notice(left: Unsaved) -> str:
 
 
 def _name(left: Unsaved) -> str:
+    if is_untitled({"title": left.title}):
+        return say("a level without a name")
     return legible(left.title) or say("a level without a name")
 
 

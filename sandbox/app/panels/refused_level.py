@@ -21,6 +21,14 @@ FOOT = 64  # px, the room for an offer
 WIDEST = 1000  # px, since longer lines are hard to read
 
 
+def in_brief(path: Path, error: SandboxError) -> str:
+    """Say in a line why a file cannot be opened."""
+    if not isinstance(error, LevelError):  # which names the file
+        return say(error.message)
+    reason = error.mistakes[0].rule
+    return say("{file} cannot be opened: {reason}", file=path.name, reason=reason)
+
+
 class Refusal:
     """A page in place of the stage, which scrolls if necessary."""
 

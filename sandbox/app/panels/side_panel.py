@@ -119,7 +119,7 @@ class SidePanel:
         rect, pen = self._sheet.container.rect, self._pen
         if self._session.recalled is None or (self._recalls and self.foot is None):
             return
-        at = say("This page still shows t = {t}: the run is on its way", t=seconds(self._session.t))
+        at = say("This page still shows t = {t}", t=seconds(self._session.t))
         told = pen.write(pen.shorten(at, rect.width - 2 * pen.px(MARGIN), 13), 13, theme.NOTICE)
         strip = pygame.Rect(rect.x, 0, rect.width, told.height + pen.px(8))
         if self.foot is not None:  # at the bottom, so that it hides no heading

@@ -99,6 +99,16 @@ def session_of(run: Run, *, patient: bool = True) -> Session:
     return session
 
 
+def opened(path: Path) -> Session:
+    """Return a session of a run's file that plays and does not block the window.
+
+    Raises `SandboxError` as `read` and `session_of` do.
+    """
+    session = session_of(read(path), patient=False)
+    session.playing = True
+    return session
+
+
 def is_same(run: Run, session: Session) -> bool:
     """Whether a repeated run has the recorded state, to the last bit."""
     return fingerprint(session.world.snapshot) == run.state

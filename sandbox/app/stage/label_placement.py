@@ -74,4 +74,4 @@ class Labels:
 
     def _crosses(self, place: pygame.Rect) -> bool:
         """Whether a marked line crosses a place."""
-        return any(pygame.FRect(place).clipline(line) for line in self._crossed)
+        return any(map(pygame.FRect(place).clipline, self._crossed))

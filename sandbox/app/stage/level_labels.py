@@ -28,6 +28,8 @@ def draw_texts(surface: pygame.Surface, view: View) -> None:
         if lines.near((pixel,)):
             text = view.pen.outlined(words(label.text))
             where = text.get_rect(center=(round(pixel[0]), round(pixel[1])))
+            if where.colliderect(view.labels.bounds):  # one at the edge is not cut off
+                where.clamp_ip(view.labels.bounds)
             surface.blit(text, where)
             view.labels.take(where)
 

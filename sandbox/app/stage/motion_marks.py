@@ -1,7 +1,7 @@
 """Draws the marks that explain a motion: trails, ghosts, velocity arrows, events, names."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import copysign, hypot
 
 import numpy as np
@@ -30,6 +30,9 @@ LINE, FURTHER = 16, 4
 
 LARGE = 50
 """The least width and height of a large body [px]."""
+
+GAP = 3
+"""The distance of a text from the bodies that cover its point [px]."""
 
 Placed = tuple[Outline, XY, float]
 """A body with its position [m] and angle [rad]."""
@@ -180,7 +183,7 @@ def write_milestones(
     for milestone, (x, y) in _seen(camera, milestones):
         texts = [pen.outlined(text) for text in milestone.texts(words)]
         size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
-        around = _around(round(x), round(y), size)
+        around = chain(_around(round(x), round(y), size), _off_bodies(x, y, size, avoid))
         spots, name = (spot.clamp(labels.bounds) for spot in around), f"at {milestone.place}"
         if place := labels.find(spots, avoid, name=name):
             top = place.y
@@ -214,6 +217,20 @@ def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
         yield place.move_to(topright=(x - 11, y + 9 + further))
         yield place.move_to(bottomleft=(x + 11, y - 9 - further))
         yield place.move_to(bottomright=(x - 11, y - 9 - further))
+
+
+def _off_bodies(
+    x: float, y: float, size: tuple[int, int], covered: Sequence[pygame.Rect]
+) -> Iterator[pygame.Rect]:
+    """Yield places for a text around the bodies that cover a point."""
+    over = [area for area in covered if area.collidepoint(x, y)]
+    if over:
+        body, place = over[0].unionall(over[1:]), pygame.Rect((0, 0), size)
+        for further in range(GAP, GAP + FURTHER * LINE, LINE):
+            yield place.move_to(midtop=(round(x), body.bottom + further))
+            yield place.move_to(midbottom=(round(x), body.top - further))
+            yield place.move_to(midleft=(body.right + GAP, round(y) + further))
+            yield place.move_to(midright=(body.left - GAP, round(y) + further))
 
 
 def boxes(camera: Camera, shown: Iterable[Placed]) -> list[pygame.Rect]:

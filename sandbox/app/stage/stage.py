@@ -120,8 +120,8 @@ class Stage:
         view, world, outlines = self.view, self.view.world, self.view.outlines
         self.camera.offset, grounded = view.observer.moved, view.observer.place is None
         area = surface.get_rect() if self.plain else grid.inside(self.camera, self._pen)
-        area = area.inflate(-2 * self._pen.px(EDGE), 0)
-        view.trail, view.labels = trail, Labels(area, view.kept)
+        view.trail = trail
+        view.labels = Labels(area.inflate(-2 * self._pen.px(EDGE), 0), view.kept)
         wide, high = self._pen.px(130), self._pen.px(90)
         view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
         self._draw_base()
@@ -155,7 +155,8 @@ class Stage:
     def _write(self, surface: pygame.Surface, milestones: Sequence[Milestone]) -> None:
         """Write the measured values, after the arrows, which cannot move out of the way."""
         view, words = self.view, level_translation.of(self.view.world.level)
-        placed = [(each, *view.state(each)) for each in view.moving]
+        filled = (*view.moving, *(o for o in view.still if o.radius is not None))
+        placed = [(each, *view.state(each)) for each in filled]
         avoid = motion_marks.boxes(self.camera, placed)
         motion_marks.mark_large(self.camera, placed, view.labels)
         motion_marks.write_milestones(
@@ -240,8 +241,7 @@ class Stage:
         """Return the start position nearest to an outline among the moving bodies [m]."""
         if not self.view.moving:
             return self.camera.center
-        place, angle = self.view.state(outline)
-        line = np.array(outline.placed(place, angle))
+        line = np.array(outline.placed(*self.view.state(outline)))
         away = [np.hypot(*(line - start).T).min() for start in self.view.starts]
         x, y = self.view.starts[int(np.argmin(away))].tolist()
         return x, y

@@ -278,7 +278,7 @@ def test_a_seesaw_is_drawn_and_turns(builder: Builder) -> None:
     builder.tool("pivot")
     builder.at(0, 1.1)
     builder.person.wait(0.1)
-    assert builder.person.window.banner._note == "Tied: box1 to the plane"
+    assert builder.person.window.banner._note == "Tied: box 1 to the plane"
 
     builder.key(pygame.K_ESCAPE)
     builder.key(pygame.K_ESCAPE)

@@ -23,6 +23,35 @@ def test_it_says_when_effects_and_checks_are_shown_and_a_button_leads_there(
     assert builder.page.button("gravity").is_selected
 
 
+def test_everyday_effects_can_be_switched_beside_the_fields_of_a_body(builder: Builder) -> None:
+    """Whoever has just drawn a box saw no way to let it turn."""
+    builder.new()
+    builder.tool("box")
+    builder.drag((0, 0), (1, 1))
+    assert builder.editor.work.selected
+    assert builder.page.button("contact").is_selected
+    assert not builder.page.button("rotation").is_selected
+
+    builder.act("rotation")
+    builder.person.wait(0.1)
+
+    assert "rotation" in builder.document["effects"]
+    assert builder.editor.work.selected
+    assert builder.page.button("rotation").is_selected
+
+
+def test_a_joint_is_a_pin_at_first_and_is_told_of_in_words(builder: Builder) -> None:
+    builder.new()
+    builder.tool("box")
+    builder.drag((-1, 1), (1, 2))
+    builder.tool("join")
+    builder.at(0, 1.5)
+
+    (pin,) = builder.document["joints"].values()
+    assert pin["type"] == "pivot"
+    assert builder.person.window.banner.tells("Tied: box 1 to the plane")
+
+
 def test_tools_stay_where_they_are_while_the_fields_are_scrolled(builder: Builder) -> None:
     builder.at(-0.6, 0)
     before = builder.page.palette.button("disc").rect.copy()

@@ -53,3 +53,27 @@ def test_an_odd_file_that_is_dropped_is_refused_with_the_reason(
     assert person.window.session is None
     assert person.window.panels.refusal is not None
     assert told in person.window.panels.refusal.text
+
+
+@pytest.mark.parametrize("name", ["picture.png", "text.txt", "folder", "broken.run.json", "gone"])
+def test_what_is_no_level_leaves_the_run_where_it_is(
+    person: Person, tmp_path: Path, name: str
+) -> None:
+    """Dropped by mistake, it took the place of the run, which was lost."""
+    person.window.open_level("newton/atwood")
+    person.session.step()
+    session, path = person.session, tmp_path / name
+    if name == "folder":
+        path.mkdir()
+    elif name != "gone":
+        path.write_bytes(b"\x89PNG\r\n")
+
+    pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))
+    person.wait()
+
+    assert person.window.session is session
+    assert session.world.steps == 1
+    assert person.window.path is not None
+    assert person.window.path.stem == "atwood"
+    assert name in person.window.banner._note
+    assert not person.window.files.recent.paths

@@ -17,7 +17,7 @@ from sandbox.app.runs import crash_recovery, runfile
 from sandbox.app.runs.crash_recovery import OFTEN, LeftRun, RunRecovery, left_runs
 from sandbox.app.runs.session import Session
 from sandbox.model import file_writing, unsaved_files
-from tests.app.person import Person
+from tests.app.person import Person, until
 from tests.app.runs.test_runfile import pulled
 from tests.app.scenes import opened
 from tests.elsewhere import limited
@@ -114,7 +114,8 @@ def test_a_lost_run_is_offered_above_the_cards_and_gone_on_with(person: Person) 
     assert draft_strip.summary(left).startswith("Not saved: the run of Atwood machine, ")
 
     person.click(person.window.panels.home.strip.place(0))
-    person.wait(0.1)
+    until(person, lambda: person.session.level.title == "Atwood machine")
+    until(person, lambda: person.session.sought is None)  # computing it takes some frames
 
     assert not person.window.panels.home.open
     assert person.session.world.steps == 60

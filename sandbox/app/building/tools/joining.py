@@ -12,6 +12,7 @@ from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.mouse_position import MousePosition
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
+from sandbox.app.words.formatting import name_in_words
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import joints
 from sandbox.editing.edits.edit_result import EditResult
@@ -61,7 +62,7 @@ CLICKS: Mapping[str, Clicks] = {
 class JoinTool(Tool):
     """Makes a joint from clicks on the stage."""
 
-    def __init__(self, bench: EditedLevel, kind: str = "pulley") -> None:
+    def __init__(self, bench: EditedLevel, kind: str = "pivot") -> None:
         super().__init__(bench)
         self.kind = kind
         """The kind of joint, as in a level's file."""
@@ -152,7 +153,10 @@ class JoinTool(Tool):
         picks = tuple(self._places)
         self._places.clear()
         self._spot = None  # nothing is proposed on top of this joint until the mouse moves
-        first, second = (pick.body or say("the plane") for pick in (picks[0], picks[-1]))
+        first, second = (
+            name_in_words(pick.body) if pick.body else say("the plane")
+            for pick in (picks[0], picks[-1])
+        )
         self._bench.tell(say("Tied: {first} to {second}", first=first, second=second))
         effects = self._bench.level.effects
         if self.kind == "motor" and effects.contact and effects.friction is None:

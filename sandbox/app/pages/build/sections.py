@@ -1,5 +1,6 @@
 """The blocks of the page besides the fields: mistakes, offers, suggestions, effects."""
 
+from collections.abc import Iterable
 from functools import partial
 from typing import NamedTuple
 
@@ -24,7 +25,9 @@ IN_RUN = later(
 )
 NO_FORMULA = later("The run was changed on the way: the level's checks no longer apply.")
 NOTHING_SELECTED = later("Click on a body or joint on the stage to set its mass, length and so on.")
-SELECTED = later("Effects and suggested checks are shown while nothing is selected.")
+EVERYDAY = "gravity", "contact", "friction", "restitution", "rotation"
+"""The effects that most scenes need, whose switches are beside the fields of a body, too."""
+SELECTED = later("Effects (all of them, and checks, are shown while nothing is selected):")
 SAVE = later("Save under this name:")
 SAVE_TITLED = later("Save under this name, which becomes the level's title, too:")
 NO_CHECKS = later("No checks to suggest: they are for set-ups that have a closed form.")
@@ -105,7 +108,8 @@ def subject(editor: Editor) -> list[Block]:
         return [title, Block("", acts=(_taking_out(editor), leave))]
     tip = say("show the level again (Esc)")
     leave = ButtonAction(say("Select nothing"), tip, partial(work.select, ()))
-    return [title, Block(say(SELECTED), acts=(leave,))]
+    switches = _switches(editor, EVERYDAY)
+    return [title, switches._replace(text=say(SELECTED), acts=(*switches.acts, leave))]
 
 
 def arranging(editor: Editor) -> list[Block]:
@@ -143,7 +147,7 @@ def _costs(editor: Editor) -> Block:
     )
 
 
-def _switches(editor: Editor) -> Block:
+def _switches(editor: Editor, names: Iterable[str] = EFFECTS) -> Block:
     work = editor.bench
     acts = (
         ButtonAction(
@@ -151,7 +155,7 @@ def _switches(editor: Editor) -> Block:
             say(editable_fields.help_of(Effects, name) or name),
             partial(inspected_fields.switch, work, name),
         )
-        for name in EFFECTS
+        for name in names
     )
     message = say("Effects: those that are lit are on; click to switch one on or off.")
     lit = frozenset(map(say, inspected_fields.declared(work)))
