@@ -169,7 +169,7 @@ def test_what_lands_beside_a_joint_that_may_break_lands_at_its_time(rate: float)
     t = 0.55 - fell
     rise = G * fell * t - G * t**2 / 2
 
-    assert not world.scene.happened
+    assert not world.scene.event_times
     assert world.snapshot.position[1:3, 1] == pytest.approx([5.2 + rise, 0.1 + rise], abs=1e-7)
     assert np.abs(books.balance.unexplained_impulse).max() < 1e-11
     assert abs(books.balance.unexplained) < 1e-9
@@ -182,8 +182,8 @@ def test_a_landing_that_breaks_a_rope_goes_on_as_if_it_had_not_been_there(rate: 
     fell = sqrt(2 * 0.5 / G)
     speed, late = G * fell, G * (0.35 - fell)
 
-    assert list(world.scene.happened) == ["rope breaks"]
-    assert 0 <= fell - world.scene.happened["rope breaks"] <= 1 / rate
+    assert list(world.scene.event_times) == ["rope breaks"]
+    assert 0 <= fell - world.scene.event_times["rope breaks"] <= 1 / rate
     assert world.snapshot.velocity[:2, 1] == pytest.approx(
         [-2 / 3 * speed - late, speed / 3 - late], abs=2 * G / rate
     )

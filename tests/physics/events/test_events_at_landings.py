@@ -153,7 +153,7 @@ def test_a_rope_that_is_cut_or_tied_at_the_step_before_a_bounce_leaves_it_alone(
     world, ledger = booked(coupled(240, what, at), BOUNCED)
     t = BOUNCED - FALL
 
-    assert world.scene.happened["event"] == pytest.approx(at, abs=1e-12)
+    assert world.scene.event_times["event"] == pytest.approx(at, abs=1e-12)
     assert world.snapshot.position[1, 1] == pytest.approx(0.1 + SPEED * t - G * t**2 / 2, abs=1e-7)
     assert np.abs(ledger.balance.unexplained_impulse).max() < 1e-11
     assert abs(ledger.balance.unexplained) < 2e-3

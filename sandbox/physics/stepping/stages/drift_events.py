@@ -205,7 +205,7 @@ class EventStage:
             yield from (*before, part)
             part = self._perform_event(part, left, act)
         self._finder.note()
-        halved = self._jolts and self._leapfrog and not self._landing
+        halved = self._jolts and self._leapfrog and not self._divided_drift
         yield from self._last_halves(part) if halved else (part,)
 
     def _first(self, part: Part) -> tuple[str, float] | None:
