@@ -63,7 +63,7 @@ class Rope(NamedTuple):
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
     """Yield the closed forms for ropes over static drums."""
     effects = scene.level.effects
-    if scene.fall is None or not scene.only("gravity", "contact", "friction", "restitution"):
+    if scene.gravity_y is None or not scene.only("gravity", "contact", "friction", "restitution"):
         return
     drums = [name for name, body in scene.level.bodies.items() if body.type == "static"]
     drums = [name for name in drums if isinstance(scene.level.bodies[name].shape, Disc)]
@@ -78,15 +78,15 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     """Yield the suggestion for a rope, unless it is close to the limit of slipping."""
-    assert scene.fall is not None
-    g, (m1, m2) = opposite(scene.fall), [scene.mass(name) for name in rope.ends]
+    assert scene.gravity_y is not None
+    g, (m1, m2) = opposite(scene.gravity_y), [scene.mass(name) for name in rope.ends]
     angle = "pi" if abs(rope.wrap - pi) < 10**-DIGITS else repr(plain(round(rope.wrap, DIGITS)))
     held = m1 if mu == "0" else f"{m1}*exp({mu}*{angle})"
     excess = Expression(f"{m2}/({held}) - 1")
     rough = mu != "0"
-    if rough and abs(excess(scene.known)) < EDGE:
+    if rough and abs(excess(scene.known_values)) < EDGE:
         return
-    slips = not rough or excess(scene.known) > 0
+    slips = not rough or excess(scene.known_values) > 0
     told = _slipping(rope, m1, m2, held, g) if slips else _holding(rope, m1, m2, g)
     side = f"{m2} > {1 + EDGE}*{held}" if slips else f"{m2} < {1 - EDGE}*{held} and {m1} <= {m2}"
     until = min(_until(each, rope, held) for each in scene.everywhere)
@@ -133,7 +133,7 @@ def _ropes(scene: Scene, start: str, drums: Sequence[str]) -> Iterator[Rope]:
     path, rods = _chain(scene, start)
     knots = path[1:-1]
     drum = next((d for d in drums if len(knots) > 1 and _lies(scene, knots, d)), None)
-    if drum is None or not scene.rests(*path):
+    if drum is None or not scene.is_at_rest(*path):
         return
     if names_in([scene.level.bodies[name].position for name in (*path, drum)]):
         return
@@ -178,8 +178,8 @@ def _lies(scene: Scene, knots: Sequence[str], drum: str) -> bool:
 
 def _until(scene: Scene, rope: Rope, held: str) -> float:
     """Return a time before which nothing is met, and the rope has hardly slipped [s]."""
-    g, (_, m2) = opposite(scene.fall or Expression("0")), (scene.mass(n) for n in rope.ends)
-    a = Expression(f"{g}*({m2} - {held})/({m2} + {held})")(scene.known)
+    g, (_, m2) = opposite(scene.gravity_y or Expression("0")), (scene.mass(n) for n in rope.ends)
+    a = Expression(f"{g}*({m2} - {held})/({m2} + {held})")(scene.known_values)
     if not a:
         return LATEST
     free = (
