@@ -17,7 +17,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.rules.conditions.numbers_and_shapes import MAX_STEPS
 from sandbox.model.translatable_message import NOTHING
-from sandbox.physics.ensemble.batched_runs import BatchStepper, accepts, suits
+from sandbox.physics.ensemble.batched_runs import BatchStepper, can_be_batched, can_join
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
@@ -156,7 +156,9 @@ def _settings(plan: Plan, rows: Iterator[Row]) -> "Iterator[_Setting | _Run]":
 
 def _kind(plan: Plan, setting: "_Setting | _Run") -> tuple[int, str] | None:
     """Return a key that is equal for runs that can share a batch; None if they must run alone."""
-    if isinstance(setting, _Run) or not suits(setting.level, setting.stepping, plan.quantities):
+    if isinstance(setting, _Run) or not can_be_batched(
+        setting.level, setting.stepping, plan.quantities
+    ):
         return None
     return id(setting.level), setting.stepping.model_dump_json()
 
@@ -177,20 +179,20 @@ def _run_batch(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
         except SandboxError:
             worlds.append(None)  # running alone gives the reason
         else:
-            worlds.append(world if accepts(world) else None)
+            worlds.append(world if can_join(world) else None)
     flying = [world for world in worlds if world]
     if len(flying) < 2:
         yield from (_run_single(plan, setting) for setting in flock)
         return
     stop = _Stop(plan.until) if plan.until else None
     steps = [_steps(plan, world) for world in flying]
-    flights = iter(BatchStepper(flying, plan.quantities, steps, stop.first if stop else None).fly())
+    flights = iter(BatchStepper(flying, plan.quantities, steps, stop.first if stop else None).run())
     for setting, start in zip(flock, worlds, strict=True):
         found = next(flights) if start else None
         if found is None or found.trace is None:
             yield _run_single(plan, setting)
         else:
-            yield _Run(setting.row, found.trace, found.stopped, None)
+            yield _Run(setting.row, found.trace, found.has_stopped, None)
 
 
 def _steps(plan: Plan, world: World) -> int:

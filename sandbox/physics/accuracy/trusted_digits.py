@@ -79,7 +79,7 @@ def trust_of(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trus
 
 def least_known(found: Iterable[Trust]) -> Trust | None:
     """Return the position that can be trusted least, ignoring those that hardly leave zero."""
-    places = [trust for trust in found if ".position." in trust.quantity]
-    largest = max((place.size for place in places), default=0.0)
-    far = [place for place in places if place.size > LITTLE * largest]
-    return max(far, key=lambda place: place.off / place.size, default=None)
+    positions = [trust for trust in found if ".position." in trust.quantity]
+    largest = max((position.size for position in positions), default=0.0)
+    size = [position for position in positions if position.size > LITTLE * largest]
+    return max(size, key=lambda place: place.off / place.size, default=None)
