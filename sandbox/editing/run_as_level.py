@@ -131,7 +131,12 @@ def _state(world: World, row: int) -> Mapping[str, list[float] | float]:
 
 
 def _put(
-    said: Data, body: Body, values: Values, state: Mapping[str, list[float] | float], *, keep: bool
+    written: Data,
+    body: Body,
+    values: Values,
+    state: Mapping[str, list[float] | float],
+    *,
+    keep: bool,
 ) -> None:
     """Write the state of a body into its fields; unchanged fields stay as they were typed.
 
@@ -142,7 +147,7 @@ def _put(
     fields = MOVES if body.motion is None else MOVES[:2]
     for field in fields:
         if state[field] != _values_of(getattr(body, field), values):
-            said[field] = state[field] if keep else _rounded(state[field])
+            written[field] = state[field] if keep else _rounded(state[field])
 
 
 def _values_of(

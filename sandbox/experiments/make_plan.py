@@ -86,10 +86,10 @@ def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[Message
             elif name == "rate":
                 plan.stepping({"rate": float(value)})
         except (SandboxError, ValidationError) as error:
-            yield _said(error)
+            yield _in_words(error)
 
 
-def _said(error: SandboxError | ValidationError) -> Message:
+def _in_words(error: SandboxError | ValidationError) -> Message:
     if isinstance(error, ValidationError):
         detail = error.errors(include_url=False)[0]
         return parse_messages.rule(detail)
@@ -105,7 +105,7 @@ def _faulty_settings(plan: Plan) -> Iterator[Fault]:
     try:
         stepping = plan.stepping({})
     except ValidationError as error:
-        yield Fault(("scheme",), _said(error))
+        yield Fault(("scheme",), _in_words(error))
     else:
         duration = experiment.duration or 0.0
         if duration * stepping.rate > MAX_STEPS:

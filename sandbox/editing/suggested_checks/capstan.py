@@ -87,7 +87,7 @@ def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     if rough and abs(excess(scene.known_values)) < EDGE:
         return
     slips = not rough or excess(scene.known_values) > 0
-    told = _slipping(rope, m1, m2, held, g) if slips else _holding(rope, m1, m2, g)
+    fields = _slipping(rope, m1, m2, held, g) if slips else _holding(rope, m1, m2, g)
     side = f"{m2} > {1 + EDGE}*{held}" if slips else f"{m2} < {1 - EDGE}*{held} and {m1} <= {m2}"
     until = min(_until(each, rope, held) for each in scene.everywhere)
     more: dict[str, Any] = {
@@ -97,7 +97,7 @@ def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     }
     checks = tuple(
         check(label, quantity, formula, scale=scale, **more)
-        for label, quantity, formula, scale in told
+        for label, quantity, formula, scale in fields
     )
     yield Suggestion("capstan", (*rope.ends, rope.drum), checks)
 
@@ -137,15 +137,15 @@ def _ropes(scene: Scene, start: str, drums: Sequence[str]) -> Iterator[Rope]:
         return
     if names_in([scene.level.bodies[name].position for name in (*path, drum)]):
         return
-    places = [scene.where[name].center for name in path]
-    ways = [b - a for a, b in pairwise(places)]
-    hang = abs(phase(ways[0] / 1j)), abs(phase(-ways[-1] / 1j))
+    positions = [scene.where[name].center for name in path]
+    directions = [b - a for a, b in pairwise(positions)]
+    hang = abs(phase(directions[0] / 1j)), abs(phase(-directions[-1] / 1j))
     light, heavy = (scene.level.bodies[name].mass for name in (start, path[-1]))
     assert light is not None
     assert heavy is not None
     m1, m2 = light(scene.values), heavy(scene.values)
     if max(hang) < SLANT and (m1 < m2 or (m1 == m2 and start < path[-1])):
-        wrap = abs(sum(phase(b / a) for a, b in pairwise(ways)))
+        wrap = abs(sum(phase(b / a) for a, b in pairwise(directions)))
         yield Rope((start, path[-1]), (rods[0], rods[-1]), tuple(knots), drum, wrap)
 
 
@@ -183,7 +183,7 @@ def _until(scene: Scene, rope: Rope, held: str) -> float:
     if not a:
         return LATEST
     free = (
-        scene.free_until(name, lambda t, way=way: way * a * t * t / 2, rope.knots)  # type: ignore[misc]
-        for name, way in zip(rope.ends, (1j, -1j), strict=True)
+        scene.free_until(name, lambda t, way=direction: way * a * t * t / 2, rope.knots)  # type: ignore[misc]
+        for name, direction in zip(rope.ends, (1j, -1j), strict=True)
     )
     return min(SAFE * min(free), sqrt(2 * RUNS * scene.where[rope.drum].radius / abs(a)), LATEST)

@@ -106,20 +106,20 @@ def _hung(scene: Scene) -> dict[str, complex]:
 
 def _hanging(scene: Scene) -> Row | None:
     """Return a row of hanging balls, of which those at one end are drawn aside; None if none."""
-    ways = _hung(scene)
-    pegs = {name: scene.where[name].center - way for name, way in ways.items()}
+    vectors = _hung(scene)
+    pegs = {name: scene.where[name].center - vector for name, vector in vectors.items()}
     sides = _both_ways(pegs)
     if (
-        set(ways) != set(scene.dynamic)
+        set(vectors) != set(scene.dynamic)
         or not _equal(scene, sides[0])
         or not _touch(scene, sides[0], pegs)
     ):
         return None
     for row in sides:
-        drawn = ways[row[0]]
-        coming = sum(abs(ways[name] - drawn) < TOUCHING for name in row)
-        still = [ways[name] for name in row[coming:]]
-        down = still and all(abs(way + 1j * abs(drawn)) < TOUCHING for way in still)
+        drawn = vectors[row[0]]
+        coming = sum(abs(vectors[name] - drawn) < TOUCHING for name in row)
+        still = [vectors[name] for name in row[coming:]]
+        down = still and all(abs(vector + 1j * abs(drawn)) < TOUCHING for vector in still)
         outwards = drawn.real * (pegs[row[0]] - pegs[row[1]]).real > 0
         aside = SMALLEST < abs(phase(drawn * 1j)) < STEEPEST
         if down and outwards and aside and _clear(scene, row, pegs, drawn):
@@ -129,14 +129,17 @@ def _hanging(scene: Scene) -> Row | None:
 
 def _on_a_line(scene: Scene) -> Row | None:
     """Return a row of balls along x, of which some move towards the others at rest, or None."""
-    places = {name: scene.where[name].center for name in scene.dynamic}
-    if any(scene.joints[name] for name in places) or len({p.imag for p in places.values()}) > 1:
+    positions = {name: scene.where[name].center for name in scene.dynamic}
+    if (
+        any(scene.joints[name] for name in positions)
+        or len({p.imag for p in positions.values()}) > 1
+    ):
         return None
-    for row in _both_ways(places):
+    for row in _both_ways(positions):
         comes = scene.velocity(row[0])
         coming = sum(scene.velocity(name) == comes for name in row)
         a, b = row[coming - 1 : coming + 1] if 0 < coming < len(row) else (row[0], row[0])
-        gap, towards = scene.distance(a, 0j, b), comes.real * (places[b] - places[a]).real > 0
+        gap, towards = scene.distance(a, 0j, b), comes.real * (positions[b] - positions[a]).real > 0
         if comes.imag or not towards or gap < TOUCHING or not scene.is_at_rest(*row[coming:]):
             continue
         groups = row[:coming], row[coming:]
@@ -150,9 +153,9 @@ def _on_a_line(scene: Scene) -> Row | None:
     return None
 
 
-def _both_ways(places: Mapping[str, complex]) -> list[tuple[str, ...]]:
+def _both_ways(positions: Mapping[str, complex]) -> list[tuple[str, ...]]:
     """Return the names from left to right, and from right to left."""
-    row = tuple(sorted(places, key=lambda name: places[name].real))
+    row = tuple(sorted(positions, key=lambda name: positions[name].real))
     return [row, row[::-1]]
 
 

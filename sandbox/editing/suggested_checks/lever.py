@@ -110,7 +110,7 @@ def _weights(scene: Scene, joint: Joint) -> list[Weight]:
 def _weight(scene: Scene, name: str, pin: Point, plank: str | None) -> Weight | None:
     """Return a body on a plank, or the plank itself; None if it has no short formula."""
     body, moment = scene.level.bodies[name], _moment(scene, name)
-    across, up = (_minus(place, at) for place, at in zip(body.position, pin, strict=True))
+    across, up = (_minus(position, at) for position, at in zip(body.position, pin, strict=True))
     if plank:
         rubs, rolls = friction(scene, name, plank), isinstance(body.shape, Disc)
         if rubs is None or (rolls and rubs != "0"):

@@ -76,19 +76,19 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
         return  # overdamped or critically damped
     omega, motion = sqrt(Expression(square)(scene.known_values)), Formula(form)
     times = np.linspace(0, min(scene.duration, 2 * pi / omega), 60)
-    places = motion.over(scene.known_values, times)
-    swing = places - (peg.imag if index else peg.real)
+    positions = motion.over(scene.known_values, times)
+    swing = positions - (peg.imag if index else peg.real)
     unit = 1j if index else 1 + 0j
     across = dot(pull, unit * 1j) or dot(scene.velocity(bob), unit * 1j)
     if across or np.ptp(swing) < TOUCHING or swing.min() * swing.max() <= 0:
         return
-    ways = [unit * (s - dot(vector, unit)) for s in swing.tolist()]
+    displacements = [unit * (s - dot(vector, unit)) for s in swing.tolist()]
     others = [name for name in scene.where if name != bob and scene.level.effects.contact]
-    if any(scene.distance(bob, by, other) < TOUCHING for by in ways for other in others):
+    if any(scene.distance(bob, by, other) < TOUCHING for by in displacements for other in others):
         return
     axis, most = "xy"[index], plain(float(f"{np.ptp(swing) / 2:.3g}"))
     checks = check("place", f"{bob}.position.{axis}", form, NEAR, scale=most)
-    share = max(1.0, float(np.abs(places).max()) / most)
+    share = max(1.0, float(np.abs(positions).max()) / most)
     yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.duration, share)))
 
 
@@ -129,8 +129,8 @@ def _aside(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
         weight = f"{scene.mass(bob)}*{opposite(scene.gravity_y)}"
         energy = f"{weight}*{as_factor(scene.level.bodies[bob].position[1])}"
         beat = max(_beat(each, joint, bob) for each in scene.everywhere)
-        told = check("energy", "system.energy", energy, NEAR, scale=weight)
-        yield Suggestion("spring pendulum", (bob,), (told,), rate_of(STEPS * beat))
+        fields = check("energy", "system.energy", energy, NEAR, scale=weight)
+        yield Suggestion("spring pendulum", (bob,), (fields,), rate_of(STEPS * beat))
 
 
 def _swings(scene: Scene, joint: Spring, bob: str) -> bool:

@@ -84,10 +84,10 @@ def _of(scene: Scene, name: str, carried: Sequence[Carried], until: float) -> Su
     tension, moves = _forms(carried, g)
     at = None if until >= scene.duration else instant(SAFE * until)
     more: dict[str, Any] = {"at": at if upright else 0, "tolerance": EXACT if upright else NEAR}
-    told = list(zip(carried, moves, strict=False))[: 1 if _is_atwood(carried) else None]
+    fields = list(zip(carried, moves, strict=False))[: 1 if _is_atwood(carried) else None]
     checks = [
         check("acceleration", f"{one.name}.acceleration.y", form, scale=g, **more)
-        for one, form in told
+        for one, form in fields
     ]
     checks.append(check("tension", f"{name}.tension", tension, **more))
     if upright and moves:
@@ -120,8 +120,10 @@ def _forms(carried: Sequence[Carried], g: str) -> tuple[str, list[str]]:
 
 def _parts(scene: Scene, joint: Joint) -> list[Part]:
     """Return the parts of a string."""
-    places = [(end, end_position(end, scene.level.bodies, scene.values)) for end in points(joint)]
-    return [Part((a, b), (at, to)) for (a, at), (b, to) in pairwise(places)]
+    positions = [
+        (end, end_position(end, scene.level.bodies, scene.values)) for end in points(joint)
+    ]
+    return [Part((a, b), (at, to)) for (a, at), (b, to) in pairwise(positions)]
 
 
 def _upright(scene: Scene, joint: Joint) -> bool:
@@ -149,12 +151,12 @@ def _one(scene: Scene, joint: Joint, name: str) -> Carried | None:
     """Return a body at rest that a string pulls straight up; None if it does not."""
     below, pull, turn = _below(scene, name, joint), 0j, 0.0
     for part in _parts(scene, joint):
-        for end, at, way in zip(
+        for end, at, direction in zip(
             part.ends, part.positions, (part.direction, -part.direction), strict=True
         ):
             if body_of(end) == name:
-                pull += way
-                turn += ((at - scene.where[name].center).conjugate() * way).imag
+                pull += direction
+                turn += ((at - scene.where[name].center).conjugate() * direction).imag
     turns = scene.level.effects.rotation is not None and abs(turn) > STRAIGHT
     if below is None or abs(pull.real) > STRAIGHT or pull.imag <= STRAIGHT or turns:
         return None

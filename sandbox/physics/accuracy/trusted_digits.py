@@ -81,5 +81,5 @@ def least_known(found: Iterable[Trust]) -> Trust | None:
     """Return the position that can be trusted least, ignoring those that hardly leave zero."""
     positions = [trust for trust in found if ".position." in trust.quantity]
     largest = max((position.size for position in positions), default=0.0)
-    size = [position for position in positions if position.size > LITTLE * largest]
-    return max(size, key=lambda place: place.off / place.size, default=None)
+    moving = [position for position in positions if position.size > LITTLE * largest]
+    return max(moving, key=lambda place: place.off / place.size, default=None)

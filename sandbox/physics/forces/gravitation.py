@@ -69,9 +69,9 @@ class Gravitation:
             weight = np.sqrt(square)
             weight *= square
             np.divide(self.constant, weight, out=weight)
-            for pull, offset in zip(force, block.offsets, strict=True):
+            for component, offset in zip(force, block.offsets, strict=True):
                 offset *= weight
-                block.add(pull, mass, offset, -1)
+                block.add(component, mass, offset, -1)
         wrench[..., self._rows, :2] += np.concatenate(force, axis=-1)
 
     def potential_energy(self, motion: Motion) -> Array:

@@ -149,16 +149,16 @@ def relative_velocity(
     center, point = pose[1] * found.arc.center, other_pose[1] * found.point
     velocity = (moves[0] + 1j * moves[1] * point) - (rates[0] + 1j * rates[1] * center)
     bends = (rates[1] ** 2 * center - moves[1] ** 2 * point) * (drift / 2)
-    out, far = offset / abs(offset), abs(offset)
+    out, distance = offset / abs(offset), abs(offset)
     along = dot(velocity + bends, 1j * out)
-    moved = min(abs(along if before is None else 2 * along - before) * drift, far)
-    back = moved * moved / (far + sqrt(far * far - moved * moved))
-    nearer = min(max(KEPT - found.depth, 0.0) * SOON, back)
-    comes, overlap_gap = (
+    slid = min(abs(along if before is None else 2 * along - before) * drift, distance)
+    outwards = slid * slid / (distance + sqrt(distance * distance - slid * slid))
+    nearer = min(max(KEPT - found.depth, 0.0) * SOON, outwards)
+    comes, leaving = (
         found.sign * dot(velocity, out),
-        found.sign * (back / drift + dot(bends, out)),
+        found.sign * (outwards / drift + dot(bends, out)),
     )
-    return RelativeVelocity(comes, overlap_gap - nearer / drift, along)
+    return RelativeVelocity(comes, leaving - nearer / drift, along)
 
 
 def _is_side(piece: Piece) -> bool:
