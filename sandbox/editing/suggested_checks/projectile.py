@@ -31,10 +31,8 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
         free = min(_free(each, name, fall) for each in scene.everywhere)
         if free < SHORTEST:
             continue
-        body, at = (
-            scene.level.bodies[name],
-            None if free == scene.duration else instant(SAFE * free),
-        )
+        body = scene.level.bodies[name]
+        at = None if free == scene.duration else instant(SAFE * free)
         x, y = map(as_factor, body.position)
         u, w = map(as_factor, body.velocity)
         g = opposite(fall)

@@ -186,10 +186,8 @@ class _Energies:
         self._mass = np.array([world.scene.mass for world in worlds])
         self._moment = np.array([world.scene.moment for world in worlds])
         self._gravity = np.array([_gravity(world) for world in worlds])
-        self._min_energy, self._min_potential = (
-            np.full(len(worlds), np.inf),
-            np.full(len(worlds), np.inf),
-        )
+        self._min_energy = np.full(len(worlds), np.inf)
+        self._min_potential = np.full(len(worlds), np.inf)
 
     def uncertain(self, runs: Integers, pose: Array, velocity: Array) -> Booleans:
         """Return which runs must be run alone, (N,), given arrays (N, T, n, 3)."""

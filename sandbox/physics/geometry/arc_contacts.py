@@ -154,10 +154,8 @@ def relative_velocity(
     slid = min(abs(along if before is None else 2 * along - before) * drift, distance)
     outwards = slid * slid / (distance + sqrt(distance * distance - slid * slid))
     nearer = min(max(KEPT - found.depth, 0.0) * SOON, outwards)
-    comes, leaving = (
-        found.sign * dot(velocity, out),
-        found.sign * (outwards / drift + dot(bends, out)),
-    )
+    comes = found.sign * dot(velocity, out)
+    leaving = found.sign * (outwards / drift + dot(bends, out))
     return RelativeVelocity(comes, leaving - nearer / drift, along)
 
 

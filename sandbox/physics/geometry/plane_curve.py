@@ -229,10 +229,8 @@ def _cuts(bends: np.ndarray, turns: np.ndarray) -> list[int]:
     at the maxima, where the curvature changes sign, and after each turn by `TURN`.
     """
     cuts, turned = [0], 0.0
-    sharpest, least_curvature = (
-        0,
-        abs(bends[0]),
-    )  # since the last cut: knot of most curvature, least curvature
+    # since the last cut: the knot of the largest curvature, and the smallest curvature
+    sharpest, least_curvature = 0, abs(bends[0])
     rising = False
     for knot in range(1, len(bends)):
         size = abs(bends[knot])

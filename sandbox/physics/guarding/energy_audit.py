@@ -103,10 +103,8 @@ class PassiveAudit:
         if drift_velocity is None or not len(contacts.bodies):
             return
         if now.t - last.t > 1.5 * self._dt:  # the steps between are unknown
-            self.correction, self._unseen_correction = (
-                self.correction + self._unseen_correction,
-                0.0,
-            )
+            self.correction = self.correction + self._unseen_correction
+            self._unseen_correction = 0.0
             return
         displacement = now.position - last.position - drift_velocity[:, :2] * self._dt
         if (
@@ -166,12 +164,10 @@ class DrivenAudit:
     def __init__(
         self, run: Recorded, negligible: float, oscillation: float, always_open: bool
     ) -> None:
-        self._run, self._negligible, self._oscillation, self._is_always_open = (
-            run,
-            negligible,
-            oscillation,
-            always_open,
-        )
+        self._run = run
+        self._negligible = negligible
+        self._oscillation = oscillation
+        self._is_always_open = always_open
         self._kinetic, self._max_kinetic = 0.0, negligible
         self._books: Ledger | None = None
         self._opening_correction = 0.0  # before the books were opened

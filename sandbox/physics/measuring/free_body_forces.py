@@ -107,10 +107,8 @@ class FreeBodies:
         )
         x, y = step.snapshot.position[row].tolist()
         rates = _accelerations(step, row, is_constrained=scene.joints.together is not None)
-        mass, moment = (
-            float(scene.mass[row]) * mass_fraction,
-            float(scene.moment[row]) * mass_fraction,
-        )
+        mass = float(scene.mass[row]) * mass_fraction
+        moment = float(scene.moment[row]) * mass_fraction
         return _Kick(row, step, law_motion, (x, y), mass, moment, rates)
 
     def _known_forces(self, kick: "_Kick") -> Iterator[AppliedForce]:
