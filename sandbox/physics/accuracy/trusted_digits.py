@@ -71,9 +71,8 @@ def trust_of(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trus
             largest, unit = item_scale(finer, item), found.unit
             unseen = hidden_error(finer, [item]).error * unit
             until = departure(run, finer, item, SEEN)
-            order = (
-                found.order if found.absolute[-2] >= unseen else 1.0
-            )  # an impact is late by a step
+            # an impact is late by a step
+            order = found.order if found.absolute[-2] >= unseen else 1.0
             yield Trust(item.quantity, largest, max(found.absolute[-2], unseen), until, order)
 
 

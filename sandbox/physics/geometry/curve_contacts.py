@@ -105,12 +105,10 @@ def _is_far(side: Side, radius: float, offset: complex, to_middle: complex) -> b
     least_distance = distance - spacing
     if least_distance <= side.half + radius:
         return False
-    largest_turn = (
-        2 * spacing / distance
-    )  # the largest angle between the vectors from foot and knot
-    return (
-        least_distance + dot(to_middle, offset) / distance > abs(to_middle) * largest_turn
-    )  # both are on the same side
+    # the largest angle between the vectors from foot and knot
+    largest_turn = 2 * spacing / distance
+    # whether both are on the same side
+    return least_distance + dot(to_middle, offset) / distance > abs(to_middle) * largest_turn
 
 
 def _flat(side: Side, other: Piece, core: list[complex], pose: Placed) -> Verdict:
