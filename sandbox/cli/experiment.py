@@ -118,13 +118,13 @@ def fit(asked: ExperimentRequest, names: Sequence[str], data: Path | None, outpu
         page = fit_report.write(level, source, found_data, found, output)
     for parameter in found.parameters:
         bound = ": the end of the level's range" if parameter.bound else ""
-        typer.echo(f"{parameter.name} = {fit_report.said(parameter)}{bound}")
+        typer.echo(f"{parameter.name} = {fit_report.with_uncertainty(parameter)}{bound}")
     typer.echo(f"{page}: the page of it")
 
 
 def _plan(asked: ExperimentRequest) -> "Plan":
     from sandbox.experiments import catalog
-    from sandbox.experiments.experiment_file import made
+    from sandbox.experiments.experiment_file import parsed
     from sandbox.experiments.make_plan import make
 
     if not (asked.vary or asked.measure):
@@ -141,7 +141,7 @@ def _plan(asked: ExperimentRequest) -> "Plan":
         "set": argument_parsing.settings(asked.set),
         **asked.others,
     }
-    found, faults = made(given)
+    found, faults = parsed(given)
     if found:
         plan, faults = make(found, source, level)
         if not faults:

@@ -69,20 +69,26 @@ def _held_again(
     if body_of(stays) in moved:
         return {}
     values = next(iter(where.values())).values
-    way = end_position(goes, level.bodies, values) - end_position(stays, level.bodies, values)
+    displacement = end_position(goes, level.bodies, values) - end_position(
+        stays, level.bodies, values
+    )
     if isinstance(joint, Rail):
         along = complex(*evaluate(joint.direction, values))
-        way -= along * (way / along).real
-    return _shifted_end((*path, *step), stays, way, where) if abs(way) > APART else {}
+        displacement -= along * (displacement / along).real
+    return (
+        _shifted_end((*path, *step), stays, displacement, where)
+        if abs(displacement) > APART
+        else {}
+    )
 
 
 def _shifted_end(path: Path, end: End, by: complex, where: Mapping[str, PlacedBody]) -> Changes:
     match end:
         case str():
-            at = xy(by / where[end].turn)
+            at = xy(by / where[end].rotation)
             return {path: {"body": end, "at": list(at)}}
         case Held(body=body, at=at):
-            return {(*path, "at"): shifted_point(at, by / where[body].turn)}
+            return {(*path, "at"): shifted_point(at, by / where[body].rotation)}
     return {path: shifted_point(end, by)}
 
 

@@ -22,7 +22,7 @@ _LISTS = ("pairs", "located", "bodies", *ACTIONS)
 """The lists in effects and events from which a single name can be removed."""
 
 
-def loads(text: str) -> bool:
+def is_valid(text: str) -> bool:
     """Return whether a text is a level without mistakes."""
     try:
         parse(text)
@@ -31,9 +31,9 @@ def loads(text: str) -> bool:
     return True
 
 
-def first_that_loads(texts: Iterable[str], otherwise: str) -> str:
+def first_valid(texts: Iterable[str], otherwise: str) -> str:
     """Return the first of some texts that is a level without mistakes, or another text."""
-    return next(filter(loads, texts), otherwise)
+    return next(filter(is_valid, texts), otherwise)
 
 
 def accepted(*texts: str) -> str:
@@ -41,7 +41,7 @@ def accepted(*texts: str) -> str:
 
     Raises `LevelError` if there is none, with the mistakes of the first.
     """
-    found = first_that_loads(texts, "")
+    found = first_valid(texts, "")
     if not found:
         parse(texts[0])
     return found

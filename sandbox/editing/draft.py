@@ -17,7 +17,7 @@ from sandbox.model.loading import content, decoded, parse, read
 class Step:
     """A step of undo, which stores only the piece of the text that was replaced."""
 
-    said: str
+    description: str
     """The description of the edit."""
     start: int
     """The index of the piece in the text."""
@@ -34,12 +34,14 @@ class Step:
         return text[: self.start] + self.new + text[self.start + len(self.old) :]
 
 
-def step(before: str, after: str, said: str) -> Step:
+def step(before: str, after: str, description: str) -> Step:
     """Return the step that leads from one text to another."""
     start = _common(before, after)
     most = min(len(before), len(after)) - start
     tail = _common(before[::-1][:most], after[::-1][:most])
-    return Step(said, start, before[start : len(before) - tail], after[start : len(after) - tail])
+    return Step(
+        description, start, before[start : len(before) - tail], after[start : len(after) - tail]
+    )
 
 
 def _common(one: str, other: str) -> int:
@@ -117,25 +119,25 @@ class Draft:
         return self.text != self.saved
 
     @property
-    def undoes(self) -> str | None:
+    def undo_description(self) -> str | None:
         """The description of the step that would be undone next; None if there is none."""
-        return self._done[-1].said if self._done else None
+        return self._done[-1].description if self._done else None
 
     @property
-    def redoes(self) -> str | None:
+    def redo_description(self) -> str | None:
         """The description of the step that would be redone next; None if there is none."""
-        return self._undone[-1].said if self._undone else None
+        return self._undone[-1].description if self._undone else None
 
     @property
     def touched(self) -> bool:
         """Whether it has unsaved changes, or steps to undo or redo."""
         return self.changed or bool(self._done or self._undone)
 
-    def rest(self) -> None:
+    def drop_caches(self) -> None:
         """Drop everything that can be recomputed from the text."""
         self._loaded = None
 
-    def change(self, text: str, said: str, merge: str | None = None) -> None:
+    def change(self, text: str, description: str, merge: str | None = None) -> None:
         """Change the text, by one step of undo.
 
         Successive changes with the same key `merge` are one step, such as those of a drag.
@@ -146,16 +148,16 @@ class Draft:
         if merge is not None and merge == self._merge:
             before = self._done.pop().undone(before)
         if text != before:
-            self._done.append(step(before, text, said))
+            self._done.append(step(before, text, description))
         self._undone.clear()
         self.text, self._merge = text, merge if text != before else None
 
-    def amend(self, text: str, said: str) -> None:
+    def amend(self, text: str, description: str) -> None:
         """Change the text as a part of the last step, or by a step of its own if there is none."""
         if text != self.text:
             last = self._done.pop() if self._done else None
             before = last.undone(self.text) if last else self.text
-            self._done.append(step(before, text, last.said if last else said))
+            self._done.append(step(before, text, last.description if last else description))
             self._undone.clear()
             self.text, self._merge = text, None
 
@@ -167,7 +169,7 @@ class Draft:
         last = self._done.pop()
         self._undone.append(last)
         self.text = last.undone(self.text)
-        return last.said
+        return last.description
 
     def redo(self) -> str | None:
         """Redo the last undone step, and return its description; None if there is none."""
@@ -177,7 +179,7 @@ class Draft:
         following = self._undone.pop()
         self._done.append(following)
         self.text = following.done(self.text)
-        return following.said
+        return following.description
 
     def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
         """Write the file; a draft without changes is written exactly as it was read.

@@ -32,11 +32,11 @@ def simplified(points: Sequence[XY], tolerance: float, *, closed: bool) -> list[
     if not closed:
         return _listed(line[_kept(line, tolerance)])
     line = np.vstack((line, line[:1]))
-    far = int(np.hypot(*(line - line[0]).T).argmax())
-    there, back = line[: far + 1], line[far:]
+    farthest = int(np.hypot(*(line - line[0]).T).argmax())
+    there, back = line[: farthest + 1], line[farthest:]
     kept = np.vstack((there[_kept(there, tolerance)][:-1], back[_kept(back, tolerance)][:-1]))
-    apart = np.hypot(*(kept - np.roll(kept, 1, axis=0)).T) > tolerance
-    return _listed(kept[apart] if apart.sum() >= 3 else kept)
+    deviations = np.hypot(*(kept - np.roll(kept, 1, axis=0)).T) > tolerance
+    return _listed(kept[deviations] if deviations.sum() >= 3 else kept)
 
 
 def _kept(line: Array, tolerance: float) -> list[int]:
@@ -56,8 +56,10 @@ def _distances(points: Array, start: Array, end: Array) -> Array:
     """Return the distances of points from the segment between two others."""
     along = end - start
     square = float(along @ along)
-    shares = np.clip((points - start) @ along / square, 0, 1) if square else np.zeros(len(points))
-    return np.hypot(*(points - start - shares[:, None] * along).T)
+    fractions = (
+        np.clip((points - start) @ along / square, 0, 1) if square else np.zeros(len(points))
+    )
+    return np.hypot(*(points - start - fractions[:, None] * along).T)
 
 
 def _listed(line: Array) -> list[XY]:

@@ -6,7 +6,7 @@ from sandbox.model import level_writing
 from sandbox.model.shorthand.expansion import write_out
 
 
-def plain(text: str) -> str:
+def expanded(text: str) -> str:
     """Return a level in which all repetitions and placed groups are written out.
 
     A text without shorthand, or with mistakes in it, is returned unchanged.

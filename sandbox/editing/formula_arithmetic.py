@@ -89,7 +89,7 @@ def towards(expression: Expression, value: float, values: Values) -> float | str
     return shifted(expression, value - expression(values))
 
 
-def turned(angle: Expression, by: float) -> float | str:
+def rotated(angle: Expression, by: float) -> float | str:
     """Return an angle plus a constant [rad]; a number becomes a formula in degrees."""
     if angle.names:
         return shifted(angle, by)

@@ -49,7 +49,7 @@ class PlacedBody:
         return complex(*evaluate(self.body.position, self.values))
 
     @cached_property
-    def turn(self) -> complex:
+    def rotation(self) -> complex:
         """The unit vector along the x axis of the body."""
         return rect(1, self.body.angle(self.values))
 
@@ -61,7 +61,7 @@ class PlacedBody:
     @cached_property
     def corners(self) -> tuple[complex, ...]:
         """Its corners in the plane [m]."""
-        return tuple(map(self.outside, self.local))
+        return tuple(map(self.to_plane, self.local))
 
     @cached_property
     def radius(self) -> float:
@@ -84,7 +84,7 @@ class PlacedBody:
                 return (self.corners,)
             case Polygon():
                 parts = convex_parts([xy(point) for point in self.local])
-                return tuple(tuple(self.outside(complex(*p)) for p in part) for part in parts)
+                return tuple(tuple(self.to_plane(complex(*p)) for p in part) for part in parts)
         return tuple(pairwise(self.corners))
 
     @property
@@ -106,20 +106,20 @@ class PlacedBody:
         reach = complex(self.radius, self.radius)
         return complex(left, low) - reach, complex(right, high) + reach
 
-    def outside(self, point: complex) -> complex:
+    def to_plane(self, point: complex) -> complex:
         """Return the position in the plane of a point in the axes of the body [m]."""
-        return self.center + self.turn * point
+        return self.center + self.rotation * point
 
-    def inside(self, point: complex) -> complex:
+    def to_body(self, point: complex) -> complex:
         """Return the position in the axes of the body of a point of the plane [m]."""
-        return (point - self.center) / self.turn
+        return (point - self.center) / self.rotation
 
 
-def distance(one: PlacedBody, other: PlacedBody, way: complex = 0j) -> float:
+def distance(one: PlacedBody, other: PlacedBody, displacement: complex = 0j) -> float:
     """Return the gap between a displaced body and another [m]; negative if they overlap."""
     radii = one.radius + other.radius
-    moved = [tuple(point + way for point in core) for core in one.cores]
-    return min(gap(core, against, radii).distance for core in moved for against in other.cores)
+    displaced = [tuple(point + displacement for point in core) for core in one.cores]
+    return min(gap(core, against, radii).distance for core in displaced for against in other.cores)
 
 
 def placed(level: Level) -> dict[str, PlacedBody]:
@@ -131,7 +131,7 @@ def placed(level: Level) -> dict[str, PlacedBody]:
     return dict(_last[1])
 
 
-def chosen(level: Level, names: Iterable[str]) -> dict[str, PlacedBody]:
+def bodies_named(level: Level, names: Iterable[str]) -> dict[str, PlacedBody]:
     """Return some bodies of a level at its start; raise `SandboxError` if there are no names."""
     where = placed(level)
     found = {name: where[name] for name in names}
@@ -143,7 +143,7 @@ def chosen(level: Level, names: Iterable[str]) -> dict[str, PlacedBody]:
 _last: tuple[Level, dict[str, PlacedBody]] | None = None
 
 
-def around(bodies: Iterable[PlacedBody]) -> tuple[complex, complex]:
+def bounding_box(bodies: Iterable[PlacedBody]) -> tuple[complex, complex]:
     """Return the lower left and the upper right corner of the bounding box of bodies [m]."""
     boxes = [body.bounds for body in bodies]
     low = complex(min(a.real for a, _ in boxes), min(a.imag for a, _ in boxes))

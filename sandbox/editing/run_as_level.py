@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from sandbox.editing.cleanup_after_edit import without_meaning
-from sandbox.editing.expanded_level import plain
+from sandbox.editing.expanded_level import expanded
 from sandbox.editing.formula_arithmetic import renamed
 from sandbox.editing.json_layout import plain as rounded
 from sandbox.model import level_writing
@@ -48,7 +48,7 @@ def as_it_stands(world: World, *, anew: bool) -> str:
     if not anew:
         _refuse_to_begin_late(world.level)
     level, values = world.level, world.values
-    data: Data = json.loads(plain(level.text))
+    data: Data = json.loads(expanded(level.text))
     for part in TOLD:
         data.pop(part, None)
     _fix(data, level, values, keep=not anew)
@@ -82,8 +82,8 @@ def _without_unused(text: str, level: Level) -> str:
     """
     found = without_meaning(text)
     data = json.loads(found)
-    there = level.bodies, level.joints, level.effects.declared
-    for before, part in zip(there, ("bodies", "joints", "effects"), strict=True):
+    present = level.bodies, level.joints, level.effects.declared
+    for before, part in zip(present, ("bodies", "joints", "effects"), strict=True):
         if not set(before) <= data.get(part, {}).keys():
             parse(text)
     return found
@@ -131,7 +131,12 @@ def _state(world: World, row: int) -> Mapping[str, list[float] | float]:
 
 
 def _put(
-    said: Data, body: Body, values: Values, state: Mapping[str, list[float] | float], *, keep: bool
+    written: Data,
+    body: Body,
+    values: Values,
+    state: Mapping[str, list[float] | float],
+    *,
+    keep: bool,
 ) -> None:
     """Write the state of a body into its fields; unchanged fields stay as they were typed.
 
@@ -141,13 +146,17 @@ def _put(
         return
     fields = MOVES if body.motion is None else MOVES[:2]
     for field in fields:
-        if state[field] != _said(getattr(body, field), values):
-            said[field] = state[field] if keep else _rounded(state[field])
+        if state[field] != _values_of(getattr(body, field), values):
+            written[field] = state[field] if keep else _rounded(state[field])
 
 
-def _said(said: Expression | tuple[Expression, Expression], values: Values) -> list[float] | float:
+def _values_of(
+    expression: Expression | tuple[Expression, Expression], values: Values
+) -> list[float] | float:
     """Return the value of a field of a level."""
-    return list(evaluate(said, values)) if isinstance(said, tuple) else said(values)
+    return (
+        list(evaluate(expression, values)) if isinstance(expression, tuple) else expression(values)
+    )
 
 
 def _rounded(value: list[float] | float) -> list[float] | float:

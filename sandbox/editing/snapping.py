@@ -133,21 +133,21 @@ def _nearest(among: Iterable[float], to: float, reach: float) -> float | None:
 
 
 def snap_body(
-    level: Level, names: Collection[str], way: XY, reach: float, step: float = 0.0
+    level: Level, names: Collection[str], displacement: XY, reach: float, step: float = 0.0
 ) -> Snapped:
     """Return the displacement with which moved bodies touch what they come near, exactly [m].
 
-    `way` is their displacement by the hand. They snap over gaps and overlaps within reach. Along a
-    floor or a wall, and where they touch nothing, the centre of the first snaps to a grid with some
-    step, 0 without a grid.
+    `displacement` is that by the hand. They snap over gaps and overlaps within reach.
+    Along a floor or a wall, and where they touch nothing, the centre of the first snaps to a grid
+    with some step, 0 without a grid.
     """
     where = placed(level)
     moving, others = _pieces(where, names), _pieces(where, where.keys() - names)
-    start, by = where[next(iter(names))].center, complex(*way)
+    start, by = where[next(iter(names))].center, complex(*displacement)
     near = _near(moving, others, by, reach)
     if not near:
         if not step:
-            return Snapped(way)
+            return Snapped(displacement)
         return Snapped(xy(_on_grid(start + by, step) - start), "grid")
     first = near[0]
     across = (pair for pair in near[1:] if abs(_cross(pair.normal, first.normal)) > ACROSS)
@@ -157,7 +157,7 @@ def snap_body(
             return Snapped(xy(exact), "contact", (first.other.body, second.other.body))
     exact = _exact([first], by)
     if exact is None:
-        return Snapped(way)
+        return Snapped(displacement)
     if step:
         exact = _along_grid(first, exact, start, step, moving, others)
     return Snapped(xy(exact), "contact", (first.other.body,))

@@ -6,7 +6,7 @@ from time import perf_counter
 from sandbox.experiments.executors import Executor
 from sandbox.experiments.experiment_folder import Store
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.row_runs import Task, TaskResults, pack, run, together
+from sandbox.experiments.row_runs import Task, TaskResults, pack, rows_per_batch, run
 
 FIRST = 8
 """The most rows of the first batches, whose cost is unknown."""
@@ -86,7 +86,7 @@ def conduct(plan: Plan, store: Store, executor: Executor, tell: Tell) -> None:
     if store.complete:
         return
     missing, rows = list(store.missing()), 0
-    pace = Pace(executor.jobs, sum(stop - start for start, stop in missing), together(plan))
+    pace = Pace(executor.jobs, sum(stop - start for start, stop in missing), rows_per_batch(plan))
     for done in executor.results(run, pace.tasks(plan, missing)):
         store.add(done.start, done.stop, done.columns)
         pace.note(done)

@@ -109,15 +109,15 @@ class Cluster:
                 error=brief(str(error)),
             ) from error
         for worker, versions in found.items():
-            for name, there in versions.items():
-                if there != (here := _versions()[name]):
+            for name, theirs in versions.items():
+                if theirs != (ours := _versions()[name]):
                     raise SandboxError(
                         "the worker {worker} has {name} {there}, but this machine {here}: with"
                         " different versions rows would not be the same to the last bit",
                         worker=worker,
                         name=name,
-                        there=there,
-                        here=here,
+                        there=theirs,
+                        here=ours,
                     )
 
 

@@ -103,12 +103,12 @@ def read(path: Path) -> tuple[Experiment, Document]:
         document.refuse(_faults(error, document, data))
 
 
-def made(given: Mapping[str, object]) -> tuple[Experiment | None, list[Fault]]:
+def parsed(fields: Mapping[str, object]) -> tuple[Experiment | None, list[Fault]]:
     """Return the experiment with the given fields, or all mistakes in them."""
     try:
-        return Experiment.model_validate_json(json.dumps(given)), []
+        return Experiment.model_validate_json(json.dumps(fields)), []
     except ValidationError as error:
-        return None, list(_faults(error, None, given))
+        return None, list(_faults(error, None, fields))
 
 
 def _faults(error: ValidationError, document: Document | None, data: Any) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)

@@ -117,13 +117,13 @@ def _curve(
     x, y = found.columns[along][rows], found.number(measure.text)[rows]
     colour = COLOURS[i % len(COLOURS)]
     expected = closed_form(measure.text) in found.columns
-    if expected and not plan.drawn:
+    if expected and not plan.random_axes:
         form = found.number(closed_form(measure.text))[rows]
         if np.isfinite(form).any():
             name = "closed form" if not i else None
             axes.plot(x, form, "-", color=colour, linewidth=1, label=name)
-    marks = MARKERS[i % len(MARKERS)] if len(x) <= MARKED or plan.drawn else ","
-    line = "none" if expected or plan.drawn else "-"
+    marks = MARKERS[i % len(MARKERS)] if len(x) <= MARKED or plan.random_axes else ","
+    line = "none" if expected or plan.random_axes else "-"
     axes.plot(x, y, marks, color=colour, linestyle=line, markersize=3, linewidth=1, label=label)
 
 
@@ -185,7 +185,7 @@ def _scales(axes: Axes, plan: Plan, names: tuple[str, str]) -> None:
 def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
     column = found.number(measure.text)
     known = column[np.isfinite(column)]
-    single = next(iter(plan.drawn)) if len(plan.drawn) == 1 else None
+    single = next(iter(plan.random_axes)) if len(plan.random_axes) == 1 else None
     with style():
         figure = Figure(figsize=(6.4, 3.6) if single is None else (6.4, 6), layout="constrained")
         first, *second = figure.subplots(1 if single is None else 2, squeeze=False).ravel()
@@ -207,7 +207,7 @@ def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
             second[0].set_xlabel(column_heading(single, axis_unit(plan, single)))
             second[0].set_ylabel(column_heading(measure.text, measure.unit))
             second[0].grid(visible=True)
-            if isinstance(axis := plan.drawn[single], Uniform) and axis.scale == "log":
+            if isinstance(axis := plan.random_axes[single], Uniform) and axis.scale == "log":
                 second[0].set_xscale("log")
     return figure
 

@@ -39,13 +39,13 @@ def write(level: Level, source: str, data: Data, found: Fit, folder: Path) -> Pa
     }
     write_atomically(folder / NUMBERS, json.dumps(numbers, indent=2, ensure_ascii=False) + "\n")
     page = html.render(
-        level=level, source=source, data=data, found=found, said=said, pictures=pictures
+        level=level, source=source, data=data, found=found, said=with_uncertainty, pictures=pictures
     )
     write_atomically(folder / PAGE, page)
     return folder / PAGE
 
 
-def said(parameter: Fitted) -> str:
+def with_uncertainty(parameter: Fitted) -> str:
     """Return a parameter with its uncertainty to two digits: 9.813 ± 0.024 m/s²."""
     digits = max(1 - floor(log10(parameter.uncertainty)), 0) if parameter.uncertainty else 6
     unit = f" {parameter.unit}" if parameter.unit else ""

@@ -86,10 +86,10 @@ def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[Message
             elif name == "rate":
                 plan.stepping({"rate": float(value)})
         except (SandboxError, ValidationError) as error:
-            yield _said(error)
+            yield _in_words(error)
 
 
-def _said(error: SandboxError | ValidationError) -> Message:
+def _in_words(error: SandboxError | ValidationError) -> Message:
     if isinstance(error, ValidationError):
         detail = error.errors(include_url=False)[0]
         return parse_messages.rule(detail)
@@ -105,7 +105,7 @@ def _faulty_settings(plan: Plan) -> Iterator[Fault]:
     try:
         stepping = plan.stepping({})
     except ValidationError as error:
-        yield Fault(("scheme",), _said(error))
+        yield Fault(("scheme",), _in_words(error))
     else:
         duration = experiment.duration or 0.0
         if duration * stepping.rate > MAX_STEPS:
@@ -142,14 +142,14 @@ def _faulty_measures(plan: Plan) -> Iterator[Fault]:
 
 def _faulty_runs(plan: Plan) -> Iterator[Fault]:
     """Yield the faults of the number of runs and draws, once all axes can be read."""
-    if plan.drawn and plan.experiment.draws is None:
-        name = next(iter(plan.drawn))
+    if plan.random_axes and plan.experiment.draws is None:
+        name = next(iter(plan.random_axes))
         yield Fault(("draws",), "is missing: '{name}' is drawn, but how many times?", name=name)
-    if not plan.drawn and plan.experiment.draws is not None:
+    if not plan.random_axes and plan.experiment.draws is not None:
         yield Fault(("draws",), "nothing is drawn: no axis is LOW..HIGH or MEAN±SD")
     if plan.runs > MOST_RUNS:
         parts = [Message("{count:,}", count=axis.count) for axis in plan.grids.values()]
-        if plan.drawn:
+        if plan.random_axes:
             parts.append(Message("{count:,} draws", count=plan.draws))
         yield Fault(
             ("vary",),

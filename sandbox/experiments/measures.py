@@ -140,7 +140,7 @@ def parse(text: str, level: Level, *, until: bool) -> Measure:
             return Measure(text, None, None, "error", _check(call[2], level))
         if call and call[1] in OVER_TIME and _closes_last(text):
             return Measure(text, Observable.of(call[2], level), None, call[1], None)
-        name, at, place = text.rpartition("@")
+        name, at, where = text.rpartition("@")
         if not at:
             raise MeasureError(
                 "'{text}' does not say when: QUANTITY@end, QUANTITY@TIME, QUANTITY@landing and"
@@ -148,7 +148,7 @@ def parse(text: str, level: Level, *, until: bool) -> Measure:
                 text=brief(text),
                 over_time=", ".join(OVER_TIME),
             )
-        of, instant = Observable.of(name, level), _instant(place.strip(), level)
+        of, instant = Observable.of(name, level), _instant(where.strip(), level)
     except SandboxError as error:
         raise MeasureError(error.message) from error
     if instant == "until" and not until:

@@ -50,10 +50,10 @@ class Grid:
         """Return the value of an index, from 0."""
         if index in (0, self.count - 1):
             return self.high if index else self.low
-        share = index / (self.count - 1)
+        probability = index / (self.count - 1)
         if self.scale == "log":
-            return self.low * (self.high / self.low) ** share
-        return self.low + (self.high - self.low) * share
+            return self.low * (self.high / self.low) ** probability
+        return self.low + (self.high - self.low) * probability
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -99,12 +99,12 @@ class Uniform:
     high: float
     scale: Scale = "linear"
 
-    def drawn(self, share: Array) -> Array:
+    def quantiles(self, probability: Array) -> Array:
         """Return the quantiles of given probabilities."""
         if self.scale == "log":
             low, high = log(self.low), log(self.high)
-            return np.array([exp(low + (high - low) * s) for s in share.tolist()])
-        return self.low + (self.high - self.low) * share
+            return np.array([exp(low + (high - low) * s) for s in probability.tolist()])
+        return self.low + (self.high - self.low) * probability
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -127,11 +127,11 @@ class Normal:
     mean: float
     deviation: float
 
-    def drawn(self, share: Array) -> Array:
+    def quantiles(self, probability: Array) -> Array:
         """Return the quantiles of given probabilities."""
         from scipy.special import ndtri
 
-        return np.asarray(self.mean + self.deviation * ndtri(share))
+        return np.asarray(self.mean + self.deviation * ndtri(probability))
 
     @property
     def ends(self) -> tuple[float, float]:

@@ -66,18 +66,18 @@ class Plan:
         return {n: a for n, a in self.axes.items() if isinstance(a, Grid | Listed)}
 
     @cached_property
-    def drawn(self) -> dict[str, Drawn]:
+    def random_axes(self) -> dict[str, Drawn]:
         """The random axes."""
         return {n: a for n, a in self.axes.items() if not isinstance(a, Grid | Listed)}
 
     @cached_property
     def draws(self) -> int:
         """The number of rows per point of the grid."""
-        if not self.drawn:
+        if not self.random_axes:
             return 1
         base = self.experiment.draws or 1
         scheme = self.experiment.method == "sobol-indices"
-        return base * (len(self.drawn) + 2) if scheme else base
+        return base * (len(self.random_axes) + 2) if scheme else base
 
     @cached_property
     def runs(self) -> int:
@@ -108,7 +108,7 @@ class Plan:
 
     def rows(self, start: int, stop: int) -> Iterator[Row]:
         """Yield the rows `start` to `stop` − 1."""
-        drawn = self._drawn(start, stop)
+        drawn = self._random_values(start, stop)
         for number in range(start, stop):
             rest, found = number // self.draws, dict[str, float | str]()
             for name, axis in reversed(self.grids.items()):
@@ -118,9 +118,9 @@ class Plan:
                 found[name] = values[number - start]
             yield Row(number, tuple(found[name] for name in self.axes))
 
-    def _drawn(self, start: int, stop: int) -> dict[str, list[float]]:
+    def _random_values(self, start: int, stop: int) -> dict[str, list[float]]:
         """Return the random values of some rows; each point of the grid has the same draws."""
-        if not self.drawn:
+        if not self.random_axes:
             return {}
         shares = []
         begin = start
@@ -129,12 +129,12 @@ class Plan:
             count = min(stop - begin, self.draws - first)
             method, seed = self.experiment.method, self.experiment.seed
             last = first + count
-            shares.append(points(method, seed, len(self.drawn), self.draws, first, last))
+            shares.append(points(method, seed, len(self.random_axes), self.draws, first, last))
             begin += count
         columns = np.concatenate(shares).T
         return {
-            name: axis.drawn(column).tolist()
-            for (name, axis), column in zip(self.drawn.items(), columns, strict=True)
+            name: axis.quantiles(column).tolist()
+            for (name, axis), column in zip(self.random_axes.items(), columns, strict=True)
         }
 
     def setting(self, row: Row) -> tuple[Level, Values, Stepping]:

@@ -88,6 +88,6 @@ def _saltelli(seed: int, dimensions: int, start: int, stop: int) -> Array:
     return rows.reshape(-1, dimensions)[start - first * width : stop - first * width]
 
 
-def _inside(shares: Array) -> Array:
+def _inside(probabilities: Array) -> Array:
     """Keep probabilities away from 0 and 1, where a normal distribution has no quantile."""
-    return np.clip(shares, 2.0**-53, 1 - 2.0**-53)
+    return np.clip(probabilities, 2.0**-53, 1 - 2.0**-53)

@@ -83,7 +83,7 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
 
     Raises `SandboxError` if a row has no value: the indices need all of them.
     """
-    names = tuple(plan.drawn)
+    names = tuple(plan.random_axes)
     texts = [measure.text for measure in plan.measures]
     found = saved_results.read(path, texts)
     if found.runs != len(found.numbers):

@@ -17,7 +17,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.rules.conditions.numbers_and_shapes import MAX_STEPS
 from sandbox.model.translatable_message import NOTHING
-from sandbox.physics.ensemble.batched_runs import BatchStepper, accepts, suits
+from sandbox.physics.ensemble.batched_runs import BatchStepper, can_be_batched, can_join
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
@@ -93,12 +93,12 @@ def measured(plan: Plan, start: int, stop: int) -> Iterator[list[Cell]]:
         yield _cells(plan, found)
 
 
-def together(plan: Plan) -> int:
+def rows_per_batch(plan: Plan) -> int:
     """Return how many rows of a plan best share a batch of arrays: 1 if each runs alone."""
     setting = next(_settings(plan, plan.rows(0, 1)))
     if isinstance(setting, _Run) or _kind(plan, setting) is None:
         return 1
-    return _most(plan, setting)
+    return _batch_limit(plan, setting)
 
 
 def _cells(plan: Plan, found: _Run) -> list[Cell]:
@@ -134,16 +134,16 @@ def _runs(plan: Plan, rows: Iterator[Row]) -> Iterator[_Run]:
     """Yield the runs of all rows in their order, batched where possible."""
     for together, group in groupby(_settings(plan, rows), lambda s: _kind(plan, s)):
         if not together:
-            yield from (_alone(plan, setting) for setting in group)
+            yield from (_run_single(plan, setting) for setting in group)
             continue
         flock: list[_Setting] = []
         for setting in group:
             assert isinstance(setting, _Setting)
             flock.append(setting)
-            if len(flock) == _most(plan, flock[0]):
-                yield from _together(plan, flock)
+            if len(flock) == _batch_limit(plan, flock[0]):
+                yield from _run_batch(plan, flock)
                 flock = []
-        yield from _together(plan, flock)
+        yield from _run_batch(plan, flock)
 
 
 def _settings(plan: Plan, rows: Iterator[Row]) -> "Iterator[_Setting | _Run]":
@@ -156,19 +156,21 @@ def _settings(plan: Plan, rows: Iterator[Row]) -> "Iterator[_Setting | _Run]":
 
 def _kind(plan: Plan, setting: "_Setting | _Run") -> tuple[int, str] | None:
     """Return a key that is equal for runs that can share a batch; None if they must run alone."""
-    if isinstance(setting, _Run) or not suits(setting.level, setting.stepping, plan.quantities):
+    if isinstance(setting, _Run) or not can_be_batched(
+        setting.level, setting.stepping, plan.quantities
+    ):
         return None
     return id(setting.level), setting.stepping.model_dump_json()
 
 
-def _most(plan: Plan, setting: _Setting) -> int:
+def _batch_limit(plan: Plan, setting: _Setting) -> int:
     """Return the most such runs that may share a batch."""
     duration = plan.experiment.duration or setting.level.duration(setting.values)
     recorded = duration * setting.stepping.rate * len(plan.quantities)
     return int(max(min(TOGETHER, LARGEST / max(recorded, 1)), 1))
 
 
-def _together(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
+def _run_batch(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
     """Run rows in one batch of arrays; those that cannot share it run alone."""
     worlds: list[World | None] = []
     for setting in flock:
@@ -177,20 +179,20 @@ def _together(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
         except SandboxError:
             worlds.append(None)  # running alone gives the reason
         else:
-            worlds.append(world if accepts(world) else None)
+            worlds.append(world if can_join(world) else None)
     flying = [world for world in worlds if world]
     if len(flying) < 2:
-        yield from (_alone(plan, setting) for setting in flock)
+        yield from (_run_single(plan, setting) for setting in flock)
         return
     stop = _Stop(plan.until) if plan.until else None
     steps = [_steps(plan, world) for world in flying]
-    flights = iter(BatchStepper(flying, plan.quantities, steps, stop.first if stop else None).fly())
+    flights = iter(BatchStepper(flying, plan.quantities, steps, stop.first if stop else None).run())
     for setting, start in zip(flock, worlds, strict=True):
         found = next(flights) if start else None
         if found is None or found.trace is None:
-            yield _alone(plan, setting)
+            yield _run_single(plan, setting)
         else:
-            yield _Run(setting.row, found.trace, found.stopped, None)
+            yield _Run(setting.row, found.trace, found.has_stopped, None)
 
 
 def _steps(plan: Plan, world: World) -> int:
@@ -199,7 +201,7 @@ def _steps(plan: Plan, world: World) -> int:
     return max(steps, 1)
 
 
-def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
+def _run_single(plan: Plan, setting: "_Setting | _Run") -> _Run:
     """Run a single row."""
     if isinstance(setting, _Run):
         return setting

@@ -26,10 +26,10 @@ def measures(level: Level, quantities: Iterable[str]) -> list[str]:
 
 def of_check(check: Check) -> str:
     """Return what a check measures; at the end of the run if it is made at every step."""
-    return f"{check.quantity}@{'end' if check.at is None else written(check.at)}"
+    return f"{check.quantity}@{'end' if check.at is None else as_text(check.at)}"
 
 
-def written(at: Instant) -> str:
+def as_text(at: Instant) -> str:
     """Return an instant as it is written in a measure."""
     match at:
         case LandingEvent():

@@ -36,13 +36,16 @@ class CrowdError(MisuseError):
 def gas(count: int) -> Document:
     """Discs fly about between walls, bounce off them and off each other, and keep their energy."""
     columns = ceil(sqrt(count))
-    apart = RADIUS * sqrt(pi / FILLED)
-    side = columns * apart
+    spacing = RADIUS * sqrt(pi / FILLED)
+    side = columns * spacing
     discs: Document = {}
     for i in range(count):
         turn = 2 * pi * (i * GOLDEN % 1)
-        place = (round((i % columns + 0.5) * apart, 6), round((i // columns + 0.5) * apart, 6))
-        disc = _disc(place, velocity=[round(cos(turn), 6), round(sin(turn), 6)], restitution=1)
+        position = (
+            round((i % columns + 0.5) * spacing, 6),
+            round((i // columns + 0.5) * spacing, 6),
+        )
+        disc = _disc(position, velocity=[round(cos(turn), 6), round(sin(turn), 6)], restitution=1)
         discs[f"disc{i + 1}"] = disc
     energy = fsum(v[0] ** 2 + v[1] ** 2 for v in (d["velocity"] for d in discs.values())) / 2
     corners: list[list[float]] = [[0, 0], [side, 0], [side, side], [0, side], [0, 0]]
@@ -62,14 +65,14 @@ def pile(count: int) -> Document:
     They are listed column by column, so that discs in contact are neighbours in memory as well.
     """
     rows = min(ceil(sqrt(count)), DEEP)
-    apart = 2.2 * RADIUS
-    width, height = ceil(count / rows) * apart, (rows + 1) * apart
+    spacing = 2.2 * RADIUS
+    width, height = ceil(count / rows) * spacing, (rows + 1) * spacing
     discs: Document = {}
     for i in range(count):
         aside = 0.05 * RADIUS * (2 * (i * GOLDEN % 1) - 1)  # so that no disc balances on another
-        place = (round((i // rows + 0.5) * apart + aside, 6), round(i % rows * apart, 6))
-        discs[f"disc{i + 1}"] = _disc(place, friction=0.5)
-    corners = [[0, 2 * height], [0, -apart], [width, -apart], [width, 2 * height]]
+        position = (round((i // rows + 0.5) * spacing + aside, 6), round(i % rows * spacing, 6))
+        discs[f"disc{i + 1}"] = _disc(position, friction=0.5)
+    corners = [[0, 2 * height], [0, -spacing], [width, -spacing], [width, 2 * height]]
     return _level(
         f"A pile of {count} discs",
         "Discs that fall into a vessel, and make a heap.",
@@ -90,8 +93,8 @@ def chain(count: int) -> Document:
     discs: Document = {}
     rods: Document = {}
     for i in range(1, count + 1):
-        place = (i * LINK * sin(angle), -i * LINK * cos(angle))
-        discs[f"disc{i}"] = {**_disc(place), "shape": {"type": "disc", "radius": LINK / 4}}
+        position = (i * LINK * sin(angle), -i * LINK * cos(angle))
+        discs[f"disc{i}"] = {**_disc(position), "shape": {"type": "disc", "radius": LINK / 4}}
         rods[f"rod{i}"] = {"type": "rod", "ends": [f"disc{i - 1}" if i > 1 else [0, 0], f"disc{i}"]}
     fastest = 2 * sqrt(count * G / LINK)  # rad/s, of the top links, which carry all others
     ends = [(1, "the highest link"), (count, "the lowest link")]
@@ -112,8 +115,8 @@ def cluster(count: int) -> Document:
     discs: Document = {}
     for i in range(count):
         out, turn = sqrt(i + 0.5), 2 * pi * i * GOLDEN
-        place = (round(out * cos(turn), 6), round(out * sin(turn), 6))
-        discs[f"disc{i + 1}"] = _disc(place)
+        position = (round(out * cos(turn), 6), round(out * sin(turn), 6))
+        discs[f"disc{i + 1}"] = _disc(position)
     size = sqrt(count + 0.5)
     middle = fsum(disc["position"][0] for disc in discs.values()) / count
     return _level(
@@ -173,13 +176,13 @@ def crowd(kind: str, bodies: int) -> Document:
         raise CrowdError(
             "there is no scene '{kind}'{hint}", kind=brief(kind), hint=suggestion(kind, CROWDS)
         )
-    make, most, least = CROWDS[kind]
-    if not least <= bodies <= most:
+    make, maximum, minimum = CROWDS[kind]
+    if not minimum <= bodies <= maximum:
         raise CrowdError(
             "a {kind} must have between {least} and {most} bodies, not {bodies}",
             kind=kind,
             bodies=bodies,
-            least=least,
-            most=most,
+            least=minimum,
+            most=maximum,
         )
     return make(bodies)

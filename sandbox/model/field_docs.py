@@ -17,12 +17,14 @@ from pydantic import BaseModel
 @cache
 def docs(model: type[BaseModel]) -> Mapping[str, str]:
     """Return the docstrings of a model's fields, including inherited ones."""
-    said: dict[str, str] = {}
+    documented: dict[str, str] = {}
     for kind in reversed(model.__mro__[: model.__mro__.index(BaseModel)]):
         own = dict(_docs(kind))
-        said = {name: text for name, text in said.items() if name not in kind.__annotations__} | own
-    told = {name: field.description for name, field in model.model_fields.items()}
-    return said | {name: text for name, text in told.items() if text is not None}
+        documented = {
+            name: text for name, text in documented.items() if name not in kind.__annotations__
+        } | own
+    texts = {name: field.description for name, field in model.model_fields.items()}
+    return documented | {name: text for name, text in texts.items() if text is not None}
 
 
 def _docs(kind: type) -> Iterator[tuple[str, str]]:

@@ -80,11 +80,11 @@ def formatted(typed: str) -> str:
     return proper.replace("\n", "\r\n") if "\r\n" in typed else proper
 
 
-def with_schema(typed: str, place: str) -> str:
+def with_schema(typed: str, schema_path: str) -> str:
     """Return the JSON text of a level that names the place of its schema, in its layout."""
     level = _read(typed)
     rest = [member for member in level.members if member.name != "$schema"]
-    named = _Part('"$schema"', json.dumps(place, ensure_ascii=False), broken=False)
+    named = _Part('"$schema"', json.dumps(schema_path, ensure_ascii=False), broken=False)
     level.members = [named, *rest]
     return _written(level)
 
@@ -114,10 +114,10 @@ def _read(typed: str) -> _Part:
 
 def _in_order(members: list[_Part]) -> list[_Part]:
     """Return the top-level members in their order; a comment stays before what follows it."""
-    place, placed = len(ORDER), list[tuple[int, _Part]]()
+    rank, placed = len(ORDER), list[tuple[int, _Part]]()
     for part in reversed(members):
-        place = place if part.name.startswith(SIGN) else ORDER.index(part.name)
-        placed.append((place, part))
+        rank = rank if part.name.startswith(SIGN) else ORDER.index(part.name)
+        placed.append((rank, part))
     placed.reverse()
     placed.sort(key=itemgetter(0))
     return [part for _, part in placed]
@@ -132,21 +132,21 @@ def _written(level: _Part) -> str:
         if part.name in NAMED and not chosen:  # no line breaks were typed
             for member in part.members:
                 member.broken = True
-    return _said(level, 0) + "\n"
+    return _text_of(level, 0) + "\n"
 
 
-def _said(part: _Part, depth: int) -> str:
+def _text_of(part: _Part, depth: int) -> str:
     """Return the text of a part, indented to a depth after its first line."""
     if _is_short(part, depth):
         return part.line
     if not part.spread:
-        return part.head + ", ".join(_said(member, depth) for member in part.members) + part.tail
+        return part.head + ", ".join(_text_of(member, depth) for member in part.members) + part.tail
     line, inside = "\n" + _INDENT * depth, "\n" + _INDENT * (depth + 1)
-    said = part.head
+    text = part.head
     for i, member in enumerate(part.members):
-        said += "," * bool(i) + (inside if member.broken or not i else " ")
-        said += _said(member, depth + 1)
-    return said + line + part.tail
+        text += "," * bool(i) + (inside if member.broken or not i else " ")
+        text += _text_of(member, depth + 1)
+    return text + line + part.tail
 
 
 def _is_short(part: _Part, depth: int) -> bool:

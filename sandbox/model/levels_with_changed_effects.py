@@ -54,8 +54,8 @@ class Variation(NamedTuple):
         if self.settings is None:
             also = f" (and so without {', without '.join(self.gone)})" if self.gone else ""
             return f"without {self.effect}{also}"
-        said = ", ".join(f"{field} {shown(value)}" for field, value in self.settings.items())
-        return f"with {self.effect}" + (f" ({said})" if said else "")
+        values = ", ".join(f"{field} {shown(value)}" for field, value in self.settings.items())
+        return f"with {self.effect}" + (f" ({values})" if values else "")
 
 
 class EffectError(MisuseError):
@@ -116,11 +116,11 @@ def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
     bodies = dict(level.bodies)
     for fault in found:
         if fault.path[0] != "bodies" or len(fault.path) < 3:
-            place = ".".join(map(str, fault.path))
+            path = ".".join(map(str, fault.path))
             raise EffectError(
                 "without '{effect}' the level is impossible: {place}: {rule}",
                 effect=effect,
-                place=place,
+                place=path,
                 rule=fault.rule,
             )
         name, field = str(fault.path[1]), str(fault.path[2])
@@ -160,11 +160,11 @@ def _require_no_new_fault(level: Level, changed: Level, effect: str) -> None:
     known = set(faults(level))
     for fault in faults(changed):
         if fault not in known and fault.path[0] not in TOLD:
-            place = ".".join(map(str, fault.path))
+            path = ".".join(map(str, fault.path))
             raise EffectError(
                 "'{effect}' is not possible here: {place}: {rule}",
                 effect=effect,
-                place=place,
+                place=path,
                 rule=fault.rule,
             )
 
@@ -203,23 +203,23 @@ def _example(effect: str) -> str:
 
 def _declaring(level: Level, effect: str, fields: Settings) -> Effects:
     """Return a level's effects with some fields of one of them set."""
-    said = level.effects.model_dump(mode="json", exclude_none=True)
-    before = said.get(effect, {})
+    document = level.effects.model_dump(mode="json", exclude_none=True)
+    before = document.get(effect, {})
     entries = before if isinstance(before, list) else [before]
     many = [{**entry, **fields} for entry in entries]
     for entry in (many,) if before is entries else (many[0], many):
         try:
-            made = Effects.model_validate_json(json.dumps({**said, effect: entry}))
+            made = Effects.model_validate_json(json.dumps({**document, effect: entry}))
             define(made, level.constants)
             return made
         except ValidationError as error:
             detail = error.errors(include_url=False)[0]
             if detail["type"] != "tuple_type" or len(detail["loc"]) > 1:
-                raise EffectError(_said(effect, detail)) from error
+                raise EffectError(_in_words(effect, detail)) from error
     raise AssertionError(effect)  # one of the two forms is valid
 
 
-def _said(effect: str, detail: ErrorDetails) -> Message:
+def _in_words(effect: str, detail: ErrorDetails) -> Message:
     """Return a message about wrong settings of an effect."""
     place = ".".join(str(step) for step in detail["loc"] if not isinstance(step, int))
     shown = cast("ErrorDetails", {**detail, "loc": ("effects", *detail["loc"])})

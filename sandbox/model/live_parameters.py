@@ -61,8 +61,8 @@ def _driven(level: Level) -> frozenset[str]:
 def _flows(level: Level) -> frozenset[str]:
     """Return the names that determine how masses change with time."""
     flowing = (name for name, effect in EFFECTS.items() if effect.changes_mass)
-    said = tuple(getattr(level.effects, name) for name in flowing)
-    found = (each for _, each in expressions(said) if isinstance(each, Flow | Mass))
+    effects = tuple(getattr(level.effects, name) for name in flowing)
+    found = (each for _, each in expressions(effects) if isinstance(each, Flow | Mass))
     return frozenset().union(*(each.names for each in found))
 
 

@@ -129,7 +129,7 @@ def _parsed(text: str, source: str) -> Level:
         document.refuse_depth()
     if made.faults:
         document.refuse(made.faults)
-    document.typed = made.place
+    document.typed = made.path_in_text
     if (length := _formulas_length(data)) > MAX_FORMULAS:
         refuse(
             source,
@@ -148,7 +148,7 @@ def _parsed(text: str, source: str) -> Level:
         document.refuse(_faults(document, data, details))
     if found := level_validation.faults(level):
         document.refuse(made.hinted(fault, typed) for fault in found)
-    level.read_from(Origin(text, source, made.place))
+    level.read_from(Origin(text, source, made.path_in_text))
     return level
 
 

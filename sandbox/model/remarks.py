@@ -39,17 +39,17 @@ def _ever_holds(condition: Formula, level: Level) -> bool:
 
 
 def _without_strength(level: Level) -> Iterator[Fault]:
-    for effect, place, said in level.effects.settings:
+    for effect, path, settings in level.effects.settings:
         name = effect.name
-        if effect.strength and _is_nothing(tuple(getattr(said, f) for f in effect.strength)):
+        if effect.strength and _is_nothing(tuple(getattr(settings, f) for f in effect.strength)):
             rule = Message(
                 "'{name}' has no strength: it changes nothing, but takes time; leave it out",
                 name=name,
             )
-            yield Fault((*place, effect.strength[0]), rule)
+            yield Fault((*path, effect.strength[0]), rule)
         coefficients = tuple(getattr(body, name, None) for body in level.bodies.values())
-        if effect.coefficient and _is_nothing((*coefficients, said)):
-            yield Fault(place, "'{name}' has no strength: every coefficient is 0", name=name)
+        if effect.coefficient and _is_nothing((*coefficients, settings)):
+            yield Fault(path, "'{name}' has no strength: every coefficient is 0", name=name)
 
 
 def _is_nothing(part: object) -> bool:

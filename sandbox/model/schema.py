@@ -112,10 +112,10 @@ def _explain(made: Object) -> Object:
     """Move the comment of an expression to the end of its field's description."""
     if isinstance(made.get(NAMES), str):  # unknown to editors
         del made[NAMES]
-    if isinstance(said := made.get("description"), str):
-        made["description"] = " ".join(said.split())
+    if isinstance(text := made.get("description"), str):
+        made["description"] = " ".join(text.split())
     if isinstance(comment := made.pop("$comment", None), str):
-        made["description"] = f"{made['description']}. {comment}" if said else comment
+        made["description"] = f"{made['description']}. {comment}" if text else comment
     return made
 
 

@@ -41,8 +41,8 @@ def graded(wire: Wire | Curve, values: Values) -> tuple[Points, Points]:
     """
     first, last = (end(values) for end in wire.s)
     begin = np.pi * FIRST / (PIECES + 2 * FIRST)
-    way = np.cos(begin) - np.cos(np.linspace(begin, np.pi - begin, 2 * PIECES + 1))
-    found = points_at(wire, values, first + (last - first) * way / way[-1])
+    cosine = np.cos(begin) - np.cos(np.linspace(begin, np.pi - begin, 2 * PIECES + 1))
+    found = points_at(wire, values, first + (last - first) * cosine / cosine[-1])
     return found[::2], found[1::2]
 
 

@@ -98,7 +98,7 @@ def test_a_drag_back_to_where_it_began_is_no_step() -> None:
     first = draft.text
     draft.change(titled(draft, "x"), "drag", merge="drag")
     draft.change(first, "drag", merge="drag")
-    assert draft.undoes is None
+    assert draft.undo_description is None
 
 
 def test_a_drag_goes_on_neither_after_an_undo_nor_after_saving(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from sandbox.editing.edits import bodies, moving_and_aligning
 from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.resizing import drag_handle
-from sandbox.editing.expanded_level import plain
+from sandbox.editing.expanded_level import expanded
 from sandbox.editing.foreseen_faults import MOST, ForeseenFaults, Foresight, Proposed
 from sandbox.editing.text_patches import Changes, put, put_all
 from sandbox.model import level_catalog
@@ -148,7 +148,7 @@ def test_more_bodies_than_can_be_looked_at_in_a_frame_are_left_to_the_edit() -> 
 
 @pytest.mark.parametrize("path", sampled(LEVELS, "foreseen"))
 def test_a_moved_body_of_a_level_is_refused_exactly_if_that_was_foreseen(path: Path) -> None:
-    text = plain(path.read_text(encoding="utf-8"))
+    text = expanded(path.read_text(encoding="utf-8"))
     level = parse(text)
     look = Foresight(json.loads(text), level)
     for name in [name for name, body in level.bodies.items() if body.type == "dynamic"][:2]:

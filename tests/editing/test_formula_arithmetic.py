@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.editing.formula_arithmetic import negative, renamed, scaled, shifted, turned
+from sandbox.editing.formula_arithmetic import negative, renamed, rotated, scaled, shifted
 from sandbox.model.expressions import Expression
 
 VALUES = {"a": 1.7, "b": 0.3}
@@ -39,7 +39,7 @@ def test_what_is_done_to_a_formula_is_done_to_its_value(source: float | str, by:
     assert Expression(shifted(before, by))(VALUES) == pytest.approx(value + by, abs=1e-12)
     assert Expression(scaled(before, by))(VALUES) == pytest.approx(value * by, abs=1e-12)
     assert Expression(negative(before))(VALUES) == pytest.approx(-value, abs=1e-12)
-    assert Expression(turned(before, by))(VALUES) == pytest.approx(value + by, abs=2e-12)
+    assert Expression(rotated(before, by))(VALUES) == pytest.approx(value + by, abs=2e-12)
 
 
 @pytest.mark.parametrize(

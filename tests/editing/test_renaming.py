@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.editing.expanded_level import plain
+from sandbox.editing.expanded_level import expanded
 from sandbox.editing.renaming import rename
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
@@ -16,7 +16,7 @@ LEVELS = [*level_catalog.textbook()[::2], *level_catalog.challenges()[::3]]
 @pytest.mark.parametrize("name", sampled(LEVELS, "rename"))
 @pytest.mark.parametrize("part", ["bodies", "joints", "parameters"])
 def test_everything_can_be_renamed_and_back(name: str, part: str) -> None:
-    text = plain(read(level_catalog.find(name)))
+    text = expanded(read(level_catalog.find(name)))
     level = parse(text)
     for old in list(getattr(level, part))[:1]:
         new = rename(text, (part, old), "renamed_9")

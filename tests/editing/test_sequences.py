@@ -23,10 +23,10 @@ from sandbox.editing.edits import (
     rope_wrapping,
     slope_angle,
 )
-from sandbox.editing.expanded_level import plain
+from sandbox.editing.expanded_level import expanded
 from sandbox.editing.renaming import rename
 from sandbox.editing.snapping import snap_body
-from sandbox.editing.suggested_checks import suggestions, take
+from sandbox.editing.suggested_checks import suggestions, with_suggestion
 from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import SandboxError
@@ -39,7 +39,7 @@ from sandbox.model.loading import read
 SMALL = [
     name for name in level_catalog.textbook() if level_catalog.find(name).stat().st_size < 3000
 ]
-FIRST = [Draft.empty().text, *(plain(read(level_catalog.find(name))) for name in SMALL)]
+FIRST = [Draft.empty().text, *(expanded(read(level_catalog.find(name))) for name in SMALL)]
 
 NUMBER = st.floats(-5, 5).map(lambda x: round(x, 2))
 POINT = st.tuples(NUMBER, NUMBER)
@@ -91,7 +91,7 @@ def outlined(text: str, hand: Hand) -> str:
 
 
 def taken_out(text: str, hand: Hand) -> str:
-    return bodies.take_out(text, hand.level, hand.bodies())
+    return bodies.remove_parts(text, hand.level, hand.bodies())
 
 
 def moved(text: str, hand: Hand) -> str:
@@ -157,7 +157,7 @@ def renamed(text: str, hand: Hand) -> str:
 def checked(text: str, hand: Hand) -> str:
     found = suggestions(hand.level)
     if found:
-        return take(text, hand.level, found[0])
+        return with_suggestion(text, hand.level, found[0])
     return checks.set_ghost(text, hand.body(), (hand.number(), "t"))
 
 

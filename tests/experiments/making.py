@@ -9,7 +9,7 @@ import pyarrow.parquet as pq
 
 from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.executors import Executor, SerialExecutor
-from sandbox.experiments.experiment_file import made
+from sandbox.experiments.experiment_file import parsed
 from sandbox.experiments.experiment_folder import Store
 from sandbox.experiments.make_plan import make
 from sandbox.experiments.plan import Plan
@@ -22,7 +22,7 @@ RANGE = "ball.position.x@landing"
 def plan(level: str, vary: Mapping[str, str], *measure: str, **others: object) -> Plan:
     """Return the plan of a correct experiment."""
     given = {"level": level, "vary": dict(vary), "measure": list(measure), **others}
-    experiment, faults = made(given)
+    experiment, faults = parsed(given)
     assert experiment is not None, faults
     found, faults = make(experiment, level, load(find(level)))
     assert not faults
@@ -32,7 +32,7 @@ def plan(level: str, vary: Mapping[str, str], *measure: str, **others: object) -
 def wrong(level: str, **given: object) -> list[str]:
     """Return all mistakes of an experiment, each with its place."""
     text = {"level": level, "vary": {}, "measure": ["t@end"], **json.loads(json.dumps(given))}
-    experiment, faults = made(text)
+    experiment, faults = parsed(text)
     if experiment is not None:
         faults = make(experiment, level, load(find(level)))[1]
     return [f"{'.'.join(map(str, fault.path))}: {fault.rule}" for fault in faults]

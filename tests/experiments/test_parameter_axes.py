@@ -48,7 +48,7 @@ def test_a_logarithmic_grid_has_equal_ratios() -> None:
 
 def test_a_normal_distribution_has_its_mean_and_deviation() -> None:
     shares = (np.arange(1000) + 0.5) / 1000
-    values = Normal(5, 0.1).drawn(shares)
+    values = Normal(5, 0.1).quantiles(shares)
     assert values.mean() == pytest.approx(5)
     assert values.std() == pytest.approx(0.1, rel=0.01)
 

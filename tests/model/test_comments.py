@@ -5,7 +5,7 @@ import json
 import pytest
 
 from sandbox.editing.draft import Draft
-from sandbox.editing.edits.bodies import take_out
+from sandbox.editing.edits.bodies import remove_parts
 from sandbox.editing.edits.copying import duplicate
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.moving_and_aligning import move
@@ -83,7 +83,7 @@ def test_edits_keep_comments() -> None:
     assert draft.text.count("//") == COMMENTED.count("//")
     change(duplicate(draft.text, level(), ["crate", "ball"], (5, 0)).text)
     assert draft.text.count("//") == COMMENTED.count("//") + 2  # of the shape and of the rod
-    change(take_out(draft.text, level(), ["ball"]))
+    change(remove_parts(draft.text, level(), ["ball"]))
     assert '"// about": "two bodies on a rod"' in draft.text
 
 

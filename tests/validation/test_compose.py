@@ -30,7 +30,7 @@ from validation.stability.scene_parts import Document
 SOUND = ("machine", "springs", "four_bar", "wedged", "trolley", "braked_wheel")
 """The families of which no scene is known that fails, and whose scenes are quick."""
 
-RESTING = [name for name, family in FAMILIES.items() if scene(1, name).rests]
+RESTING = [name for name, family in FAMILIES.items() if scene(1, name).is_at_rest]
 
 FIELDS = {"seed", "bodies", "joints", "judgements", "passed", "refused", "reason"}
 
@@ -159,7 +159,7 @@ def test_slopes_are_those_of_small_steps(family: str) -> None:
                 moved = [np.array(part) for part in here[:3]]
                 moved[axis][0, row] += step
                 kept = keeping(Places(moved[0], moved[1], moved[2], here.t))
-                sides.append(np.array([float(k.off[0]) for k in kept]))
+                sides.append(np.array([float(k.violation[0]) for k in kept]))
             assert slopes[0, :, row, axis] == pytest.approx((sides[0] - sides[1]) / 2e-6, abs=1e-8)
 
 
@@ -211,27 +211,27 @@ def test_a_mirror_and_a_turn_can_be_undone(family: str) -> None:
 
 def shifted(found: Course, body: str, by: tuple[float, float], begin: int = 1) -> Course:
     """A run in which a body is at another place from a step on."""
-    position = found.seen.position.copy()
+    position = found.states.position.copy()
     position[begin:, list(found.scene.document["bodies"]).index(body)] += by
-    return replace(found, seen=replace(found.seen, position=position))
+    return replace(found, states=replace(found.states, position=position))
 
 
 def sinking(found: Course, body: str, begin: int = 1) -> Course:
     """A run in which a body sinks from a step on, by 1e-6 m per step."""
-    position = found.seen.position.copy()
+    position = found.states.position.copy()
     row = list(found.scene.document["bodies"]).index(body)
     position[begin:, row, 1] -= 1e-6 * np.arange(len(position) - begin)
-    return replace(found, seen=replace(found.seen, position=position))
+    return replace(found, states=replace(found.states, position=position))
 
 
 def faster(found: Course) -> Course:
-    velocity = found.seen.velocity.copy()
+    velocity = found.states.velocity.copy()
     velocity[len(velocity) // 2 :] *= 1.2
-    return replace(found, seen=replace(found.seen, velocity=velocity))
+    return replace(found, states=replace(found.states, velocity=velocity))
 
 
 def pulling(found: Course) -> Course:
-    return replace(found, seen=replace(found.seen, tension=found.seen.tension * 1.001))
+    return replace(found, states=replace(found.states, tension=found.states.tension * 1.001))
 
 
 def short(found: Course) -> Course:
@@ -306,7 +306,7 @@ def test_what_joints_swing_by_follows_from_places_and_velocities() -> None:
 
     for rate, expected in ((240, allowed), (480, allowed / 4)):
         case = whirled(rate)
-        assert case.energies.swings(case.course.seen) == pytest.approx(expected, rel=1e-3)
+        assert case.energies.swings(case.course.states) == pytest.approx(expected, rel=1e-3)
 
 
 def test_energy_that_a_joint_passes_from_body_to_body_is_exchanged() -> None:
@@ -321,17 +321,17 @@ def test_energy_that_a_joint_passes_from_body_to_body_is_exchanged() -> None:
     energies = Case(run(Scene(0, "thrown", document), level, build(level), 1.5)).energies
 
     assert np.ptp(energies.kinetic) < 1e-3
-    assert energies.turned() == pytest.approx(3, rel=0.01)  # m v · u, in a quarter of a turn
+    assert energies.turnover() == pytest.approx(3, rel=0.01)  # m v · u, in a quarter of a turn
 
 
 def test_a_kick_that_goes_wrong_does_not_set_its_own_bound() -> None:
     sound = course("four_bar")
-    wild = sound.seen.acceleration.copy()
+    wild = sound.states.acceleration.copy()
     wild[len(wild) // 2] *= 1000
-    doctored = replace(sound, seen=replace(sound.seen, acceleration=wild))
+    doctored = replace(sound, states=replace(sound.states, acceleration=wild))
 
-    there = Case(doctored).energies.swings(doctored.seen)
-    assert there == Case(sound).energies.swings(sound.seen)
+    there = Case(doctored).energies.swings(doctored.states)
+    assert there == Case(sound).energies.swings(sound.states)
 
 
 @pytest.mark.parametrize(
@@ -359,11 +359,11 @@ def test_an_overlap_may_last_as_long_as_pymunk_takes_where_it_is_left_to_it(
             body["restitution"] = e
     level = make(document)
     seen = run(Scene(0, "beam", document), level, build(level), 1.0)
-    row, position = list(document["bodies"]).index("load"), seen.seen.position.copy()
+    row, position = list(document["bodies"]).index("load"), seen.states.position.copy()
     (touches,) = (c.separation < 0 for c in Case(seen).couples if "load" in c.names)
     after = np.arange(len(position) - touches.argmax())
     position[touches.argmax() :, row, 1] = 1.2 - 2e-3 * left**after
-    doctored = replace(seen, seen=replace(seen.seen, position=position))
+    doctored = replace(seen, states=replace(seen.states, position=position))
 
     assert named(judge(doctored, [property_checks.overlap]), "overlap").passed is passed
 
@@ -473,7 +473,7 @@ def test_a_run_that_stops_is_judged_at_the_rate_that_is_advised() -> None:
     assert first.failure.endswith(f"a higher 'rate' may help: {first.advised}, not {first.rate:g}")
     assert not then.failure
     assert then.rate >= 2 * first.rate
-    assert then.seen.t[-1] == pytest.approx(first.asked)
+    assert then.states.t[-1] == pytest.approx(first.intended_duration)
 
 
 @pytest.mark.sweep

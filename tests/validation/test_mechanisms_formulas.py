@@ -19,7 +19,7 @@ def test_a_piston_goes_as_fast_as_its_place_changes(crank: float, angle: float) 
     h = 1e-4
     before, now, after = (mechanisms.slider(angle + step, 1.0, crank, 1.0) for step in (-h, 0.0, h))
 
-    assert float(after.place - before.place) / (2 * h) == pytest.approx(now.speed, abs=1e-4)
+    assert float(after.position - before.position) / (2 * h) == pytest.approx(now.speed, abs=1e-4)
     assert float(after.speed - before.speed) / (2 * h) == pytest.approx(now.acceleration, abs=1e-3)
 
 

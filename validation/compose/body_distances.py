@@ -207,7 +207,7 @@ def _left(course: Course) -> float:
 
 def _ways(course: Course, couple: Couple, extents: Array) -> Array:
     """Return the greatest possible approach of two bodies in each step: (T,) [m]."""
-    seen, names = course.seen, list(course.scene.document["bodies"])
+    seen, names = course.states, list(course.scene.document["bodies"])
     a, b = (names.index(name) for name in couple.names)
     apart = np.diff(seen.position[:, a] - seen.position[:, b], axis=0)
     turn = sum(np.abs(np.diff(seen.angle[:, i])) * extents[i] for i in (a, b))

@@ -46,7 +46,7 @@ class Energies:
     """The energies of a run; T instants, n bodies."""
 
     def __init__(self, course: Course, keeping: JointConstraints) -> None:
-        document, seen = course.scene.document, course.seen
+        document, seen = course.scene.document, course.states
         bodies = list(document["bodies"].values())
         self._course, self._keeping = course, keeping
         self._mass = np.array([float(b["mass"]) if is_dynamic(b) else 0.0 for b in bodies])
@@ -66,7 +66,7 @@ class Energies:
     @property
     def momentum(self) -> Array:
         """The momentum in x and y, and about the origin: (T, 3) [N s, N s, N m s]."""
-        seen = self._course.seen
+        seen = self._course.states
         linear = np.einsum("n,tnc->tc", self._mass, seen.velocity)
         x, y = seen.position[..., 0], seen.position[..., 1]
         orbital = (x * seen.velocity[..., 1] - y * seen.velocity[..., 0]) @ self._mass
@@ -75,7 +75,7 @@ class Energies:
     @property
     def bustle(self) -> Array:
         """The sums of the bodies' absolute momenta: (T, 3)."""
-        seen = self._course.seen
+        seen = self._course.states
         sizes = np.hypot(seen.velocity[..., 0], seen.velocity[..., 1])
         linear = sizes @ self._mass
         far = np.hypot(seen.position[..., 0], seen.position[..., 1])
@@ -86,7 +86,7 @@ class Energies:
         """Return the total weight [N]."""
         return float(self._mass.sum() * np.hypot(*self._gravity))
 
-    def turned(self) -> float:
+    def turnover(self) -> float:
         """Return the energy that was converted, exchanged, or was added by drives [J]."""
         swings = [float(np.ptp(e)) for e in (self.kinetic, self.stored, self.high)]
         return max(min(max(*swings, self._exchanged()), self._there()), self._course.worked)
@@ -104,8 +104,8 @@ class Energies:
 
     def _there(self) -> float:
         """Return the energy that could be converted in free fall, an independent bound [J]."""
-        t = float(self._course.seen.t[-1])
-        speeds = np.hypot(*self._course.seen.velocity[0].T)
+        t = float(self._course.states.t[-1])
+        speeds = np.hypot(*self._course.states.velocity[0].T)
         fallen = self._mass @ (speeds * t + np.hypot(*self._gravity) * t**2 / 2)
         lifted = float(np.hypot(*self._gravity) * fallen)
         return float(self.kinetic[0] + self.stored[0]) + lifted
@@ -117,7 +117,7 @@ class Energies:
         and Wanner, Geometric Numerical Integration, IX.8). Here |v · V'' v| = |m v · da/dt|, and F
         includes the forces of joints. The difference between two times may be twice as large.
         """
-        seen, dt = self._course.seen, self._course.dt
+        seen, dt = self._course.states, self._course.dt
         pulls = np.sum(seen.acceleration**2, axis=-1) @ self._mass
         pulls += seen.angular_acceleration**2 @ self._moment
         if len(pulls) < 3:
@@ -132,10 +132,10 @@ class Energies:
         usual = np.quantile(pulls, share) / 12 + np.quantile(jerks, share) / 6
         return float(peak * dt**2 * usual)
 
-    def swings(self, seen: Snapshot) -> float:
+    def swings(self, state: Snapshot) -> float:
         """Return the error of leapfrog's energy where joints curve motion the most [J].
 
-        `seen` is the motion, of this run or of a finer one; the step is that of this run.
+        `state` is the motion, of this run or of a finer one; the step is that of this run.
 
         Constraint forces do no work, v · M a = 0, so v · M da/dt = −a · M a, and the terms of
         `second_order` become a · M a dt² / 4. The acceleration by a constraint follows from
@@ -143,12 +143,14 @@ class Energies:
         that goes wrong does not set its own bound, except by the share (ω dt)² / 2 of the motion it
         causes.
         """
-        places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)
+        places = Places(state.position[..., 0], state.position[..., 1], state.angle, state.t)
         _, slopes = self._keeping.slopes(places)
         if not slopes.size:
             return 0.0
-        bends = self._bends(seen, places)
-        held = np.stack([~kept.pulls_only | (kept.off > -TAUT) for kept in self._keeping(places)])
+        bends = self._bends(state, places)
+        held = np.stack(
+            [~kept.pulls_only | (kept.violation > -TAUT) for kept in self._keeping(places)]
+        )
         slopes, bends = slopes * held.T[..., None, None], bends * held.T
         inertia = np.stack((self._mass, self._mass, self._moment), axis=1)
         ease = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
@@ -156,15 +158,15 @@ class Energies:
         pulls = np.linalg.pinv(mass, SINGULAR, hermitian=True) @ bends[..., None]
         return float(np.einsum("ti,ti->t", bends, pulls[..., 0]).max() * self._course.dt**2 / 4)
 
-    def _bends(self, seen: Snapshot, places: Places) -> Array:
+    def _bends(self, state: Snapshot, poses: Places) -> Array:
         """Return the second time derivatives of the constraints in straight motion: (T, m)."""
-        x, y = np.moveaxis(seen.velocity, -1, 0)
+        x, y = np.moveaxis(state.velocity, -1, 0)
         there = []
         for way in (-SLIGHT, 0.0, SLIGHT):
-            moved = places.x + way * x, places.y + way * y
-            turned = places.angle + way * seen.angular_velocity
-            kept = self._keeping(Places(*moved, turned, places.t + way))
-            there.append(np.stack([row.off for row in kept], axis=1))
+            moved = poses.x + way * x, poses.y + way * y
+            turned = poses.angle + way * state.angular_velocity
+            kept = self._keeping(Places(*moved, turned, poses.t + way))
+            there.append(np.stack([row.violation for row in kept], axis=1))
         return np.asarray((there[0] - 2 * there[1] + there[2]) / SLIGHT**2)
 
     def landings(self) -> float:
@@ -174,7 +176,7 @@ class Energies:
         work at the mean of the velocities before and after it, each for half of the step. Half of
         that work may therefore be off by their difference: m a dt Δv / 4.
         """
-        course, seen = self._course, self._course.seen
+        course, seen = self._course, self._course.states
         met = [i for i in range(2, course.steps) if course.pairs[i] - course.pairs[i - 1]]
         if not met:
             return 0.0
@@ -192,13 +194,13 @@ class Energies:
         """
         largest = max(float(np.abs(e).max()) for e in (self.kinetic, self.stored, self.high))
         late = self.weight() * overlapped + self.landings()
-        order = max(self.second_order(), self.swings(self._course.seen))
-        leading = min(order, ROUGHEST * self.turned()) + late
+        order = max(self.second_order(), self.swings(self._course.states))
+        leading = min(order, ROUGHEST * self.turnover()) + late
         return NEXT * leading + self.weight() * KNOWN + ROUNDING * largest + TINY
 
     def _springs(self, document: Document, keeping: JointConstraints) -> Array:
         """Return the energy stored in springs: (T,) [J]."""
-        seen = self._course.seen
+        seen = self._course.states
         places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)
         total = np.zeros(len(seen.t))
         for joint in document["joints"].values():

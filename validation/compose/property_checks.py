@@ -97,7 +97,7 @@ class Case:
         self.document: Document = course.scene.document
         self.keeping = JointConstraints(self.document, course.level)
         self.energies = Energies(course, self.keeping)
-        seen = course.seen
+        seen = course.states
         touches = "contact" in self.document["effects"]
         found = couples(self.document, seen.position, seen.angle) if touches else ()
         self.couples = list(found)
@@ -105,9 +105,9 @@ class Case:
         bodies = self.document["bodies"].values()
         self.extents = np.array([extent(b) if is_dynamic(b) else 0.0 for b in bodies])
 
-    def places(self, at: int | None = None) -> Places:
+    def poses(self, at: int | None = None) -> Places:
         """Return the positions of the bodies, at all instants or at one."""
-        seen, rows = self.course.seen, slice(None) if at is None else slice(at, at + 1)
+        seen, rows = self.course.states, slice(None) if at is None else slice(at, at + 1)
         x, y = seen.position[rows, :, 0], seen.position[rows, :, 1]
         return Places(x, y, seen.angle[rows], seen.t[rows])
 
@@ -115,13 +115,13 @@ class Case:
         """Whether there is friction."""
         return "friction" in self.document["effects"]
 
-    def steady(self) -> int:
+    def steps_before_tipping(self) -> int:
         """Return the number of steps until rounding tips a scene that is in unstable balance.
 
         A strut that stands upright under its load falls to a side that rounding decides. A scene
         that moves from the start returns all of its steps.
         """
-        places = self.course.seen.position[:, self.extents > 0]
+        places = self.course.states.position[:, self.extents > 0]
         gone = np.abs(places - places[0]).max(axis=(1, 2), initial=0.0)
         if gone[min(FEW, self.course.steps)] > EXACT:
             return self.course.steps
@@ -132,31 +132,31 @@ class Case:
 def runs(case: Case) -> Iterator[Judgement]:
     """Require that the run reaches its end."""
     course = case.course
-    came = float(course.seen.t[-1])
-    yield Judgement("runs", came, course.asked, not course.failure)
+    came = float(course.states.t[-1])
+    yield Judgement("runs", came, course.intended_duration, not course.failure)
 
 
 def statics(case: Case) -> Iterator[Judgement]:
     """Require that bodies at rest stay so, held by forces in equilibrium."""
     course = case.course
-    if not course.scene.rests:
+    if not course.scene.is_at_rest:
         return
-    if not Statics(case.document, case.keeping, case.places(0)).stands(MARGIN):
+    if not Statics(case.document, case.keeping, case.poses(0)).stands(MARGIN):
         return
     last = course.steps
     worst = 0.0
     for at in sorted({0, 1, last // 3, last // 3 + 1, 2 * last // 3, last - 1, last} - {-1}):
-        there = Statics(case.document, case.keeping, case.places(at))
-        measured = Measured(course.seen.normal[at], course.seen.tension[at])
+        there = Statics(case.document, case.keeping, case.poses(at))
+        measured = Measured(course.states.normal[at], course.states.tension[at])
         worst = max(worst, there.error(measured))
     yield _most("statics", worst, FORCES)
-    yield _most("drift", _furthest(case, course.seen, course.seen), DRIFT)
+    yield _most("drift", _furthest(case, course.states, course.states), DRIFT)
 
 
-def _furthest(case: Case, seen: Snapshot, start: Snapshot) -> float:
+def _furthest(case: Case, state: Snapshot, start: Snapshot) -> float:
     """Return the largest distance of any point of a dynamic body from its start [m]."""
-    moved = np.hypot(*np.moveaxis(seen.position - start.position[0], -1, 0))
-    turns = np.abs(seen.angle - start.angle[0]) * case.extents
+    moved = np.hypot(*np.moveaxis(state.position - start.position[0], -1, 0))
+    turns = np.abs(state.angle - start.angle[0]) * case.extents
     kinetic = np.array([not is_dynamic(b) for b in case.document["bodies"].values()])
     return float(np.where(kinetic, 0.0, moved + turns).max())
 
@@ -177,7 +177,7 @@ def energy(case: Case) -> Iterator[Judgement]:
 
 def _energy_errors(case: Case) -> dict[str, float]:
     """Return the energy that the ledger cannot explain and, where none may, that appeared [J]."""
-    total, booked = case.energies.total, case.course.booked
+    total, booked = case.energies.total, case.course.ledger_energy
     books = float(np.abs(case.course.unexplained).max())
     if not is_passive(case.document):
         return {"books": books}
@@ -196,11 +196,11 @@ def _whipped(case: Case) -> float:
         world = start(course.level, FINELY * course.rate)
     except Refused:
         return 0.0
-    finer = Case(run(course.scene, course.level, world, float(course.seen.t[-1])))
+    finer = Case(run(course.scene, course.level, world, float(course.states.t[-1])))
     error = max(_energy_errors(finer).values())
     if error > finer.energies.allowed(finer.overlapped):
         return 0.0
-    return NEXT * min(case.energies.swings(finer.course.seen), FINELY**2 * error)
+    return NEXT * min(case.energies.swings(finer.course.states), FINELY**2 * error)
 
 
 def momentum(case: Case) -> Iterator[Judgement]:
@@ -210,13 +210,13 @@ def momentum(case: Case) -> Iterator[Judgement]:
     is allowed.
     """
     course, energies = case.course, case.energies
-    far, t = 1 + np.abs(course.seen.position).max(), course.seen.t[-1]
+    far, t = 1 + np.abs(course.states.position).max(), course.states.t[-1]
     bustle = energies.bustle.max(axis=0)
     scale = bustle + energies.weight() * t * np.array((1, 1, far))
     scale = np.where(scale > 0, scale, inf)
     pushed = np.array((0.0, 0.0, case.overlapped * scale[0]))
     lost = np.abs(course.lost_momentum)
-    axes = [("x", "y", "angle").index(name) for name in course.scene.free]
+    axes = [("x", "y", "angle").index(name) for name in course.scene.conserved_momenta]
     lost[:, axes] = np.maximum(lost, np.abs(energies.momentum - energies.momentum[0]))[:, axes]
     figure = float((np.maximum(lost - pushed, 0.0) / scale).max())
     yield _most("momentum", figure, MOMENTUM)
@@ -224,7 +224,7 @@ def momentum(case: Case) -> Iterator[Judgement]:
 
 def joints(case: Case) -> Iterator[Judgement]:
     """Require that joints hold at every step."""
-    kept = case.keeping(case.places())
+    kept = case.keeping(case.poses())
     if kept:
         yield _most("joints", max(float(k.error.max()) for k in kept), JOINTS)
 
@@ -265,12 +265,12 @@ def order(case: Case) -> Iterator[Judgement]:
 def _smooth(case: Case) -> int:
     """Return the number of steps before any force sets in or ends suddenly."""
     course = case.course
-    if course.scene.rests or (case.rough() and any(course.pairs)):
+    if course.scene.is_at_rest or (case.rough() and any(course.pairs)):
         return 0  # nothing moves, or slipping may end at any time
     taut = course.taut[1:]  # not all schemes know the tensions at the start
     changed = np.flatnonzero((taut != taut[:1]).any(axis=1))
     setting_in = int(changed[0]) if changed.size else course.steps
-    return min(course.undisturbed(), setting_in, case.steady()) - 1
+    return min(course.undisturbed(), setting_in, case.steps_before_tipping()) - 1
 
 
 def _errors(case: Case, finer: int, steps: int) -> tuple[float, float]:
@@ -295,7 +295,7 @@ def symmetry(case: Case) -> Iterator[Judgement]:
     This is checked until there is a new contact, and for no longer than `WINDOW`.
     """
     course = case.course
-    steps = min(course.undisturbed(), case.steady(), int(WINDOW * course.rate))
+    steps = min(course.undisturbed(), case.steps_before_tipping(), int(WINDOW * course.rate))
     if steps < FEW:
         return
     c, s = np.cos(TURN), np.sin(TURN)
@@ -321,8 +321,8 @@ def _astray(case: Case, document: Document, back: InverseTransform, steps: int) 
     except SandboxError:
         return inf
     place, angle = there.position @ back.matrix.T, back.sign * there.angle + back.offset
-    apart = np.hypot(*np.moveaxis(place - course.seen.position[: steps + 1], -1, 0))
-    turn = np.abs(angle - course.seen.angle[: steps + 1]) * case.extents
+    apart = np.hypot(*np.moveaxis(place - course.states.position[: steps + 1], -1, 0))
+    turn = np.abs(angle - course.states.angle[: steps + 1]) * case.extents
     moves = [is_dynamic(body) for body in case.document["bodies"].values()]
     return float((apart + turn)[:, moves].max())
 

@@ -44,13 +44,13 @@ class Course:
     """The scene, and the level that was run."""
     rate: float
     """The rate of its steps [Hz]."""
-    seen: Snapshot
+    states: Snapshot
     """The states, with time as the first axis."""
     pairs: list[Pairs]
     """(T,), the pairs of bodies that touch at each instant, by their indices."""
     taut: Array
     """(T, j), which joints exert a force."""
-    booked: Array
+    ledger_energy: Array
     """(T,), the energy in the ledger, in the middle of the drifts [J]."""
     unexplained: Array
     """(T,), the energy that the ledger cannot explain [J]."""
@@ -58,7 +58,7 @@ class Course:
     """(T, 3), the momentum that it cannot explain [N s, N s, N m s]."""
     worked: float
     """The energy that the scene's drives have put in, or taken out, at the end [J]."""
-    asked: float
+    intended_duration: float
     """The intended length of the run [s]."""
     failure: str = ""
     """Why it stopped earlier; empty if it did not."""
@@ -113,7 +113,7 @@ def run_at_advised_rate(scene: Scene, level: Level) -> Course:
     for _ in range(TRIES):
         if course.advised is None or course.advised <= course.rate:
             break
-        course = run(scene, level, start(level, course.advised), course.asked)
+        course = run(scene, level, start(level, course.advised), course.intended_duration)
     return course
 
 
@@ -147,37 +147,37 @@ class _Notes:
 
     world: World
     ledger: Ledger = field(init=False)
-    seen: list[Snapshot] = field(init=False)
+    states: list[Snapshot] = field(init=False)
     pairs: list[Pairs] = field(init=False)
-    booked: list[float] = field(init=False)
+    ledger_energy: list[float] = field(init=False)
     unexplained: list[float] = field(init=False)
-    lost: list[Array] = field(init=False)
+    lost_momentum: list[Array] = field(init=False)
 
     def __post_init__(self) -> None:
         self.ledger = Ledger(self.world)
-        self.seen, self.pairs = [self.world.snapshot], [_pairs(self.world)]
-        self.booked = [self.ledger.balance.energy]
-        self.unexplained, self.lost = [0.0], [np.zeros(3)]
+        self.states, self.pairs = [self.world.snapshot], [_pairs(self.world)]
+        self.ledger_energy = [self.ledger.balance.energy]
+        self.unexplained, self.lost_momentum = [0.0], [np.zeros(3)]
 
     def take(self) -> None:
         """Record a step."""
         self.ledger.note()
         balance = self.ledger.balance
-        self.seen.append(self.world.snapshot)
+        self.states.append(self.world.snapshot)
         self.pairs.append(_pairs(self.world))
-        self.booked.append(balance.energy)
+        self.ledger_energy.append(balance.energy)
         self.unexplained.append(balance.unexplained)
-        self.lost.append(balance.unexplained_impulse)
+        self.lost_momentum.append(balance.unexplained_impulse)
 
     def course(
         self, scene: Scene, level: Level, asked: float, failure: str, advised: float | None
     ) -> Course:
         """Return the complete record."""
-        seen = Snapshot.stack(self.seen)
+        seen = Snapshot.stack(self.states)
         return Course(
             scene, level, self.world.stepping.rate, seen, self.pairs,
-            seen.tension != 0, np.array(self.booked), np.array(self.unexplained),
-            np.array(self.lost),
+            seen.tension != 0, np.array(self.ledger_energy), np.array(self.unexplained),
+            np.array(self.lost_momentum),
             sum(map(abs, self.ledger.balance.work.values())), asked, failure, advised,
         )  # fmt: skip
 

@@ -32,9 +32,9 @@ class Draft:
     bodies: dict[str, Document] = field(default_factory=dict)
     joints: dict[str, Document] = field(default_factory=dict)
     effects: Document = field(default_factory=dict)
-    rests: bool = False
+    is_at_rest: bool = False
     """Whether the scene is at rest, and stays so."""
-    free: tuple[str, ...] = ()
+    conserved_momenta: tuple[str, ...] = ()
     """The momenta that no outside force but gravity changes: of x, y, angle."""
     rotation: bool = True
     """Whether bodies turn."""
@@ -77,24 +77,24 @@ class Draft:
         """Return one of several options."""
         return options[int(self.rng.integers(len(options)))]
 
-    def add(self, name: str, shape: Document, place: Place, **rest: object) -> str:
+    def add(self, name: str, shape: Document, position: Place, **rest: object) -> str:
         """Add a body, and return its name."""
-        self.bodies[name] = {"shape": shape, "position": rounded(place), **rest}
+        self.bodies[name] = {"shape": shape, "position": rounded(position), **rest}
         return name
 
-    def box(self, name: str, place: Place, size: Place, mass: float, **rest: object) -> str:
+    def box(self, name: str, position: Place, size: Place, mass: float, **rest: object) -> str:
         """Add a dynamic box of given width and height."""
         shape = {"type": "box", "width": size[0], "height": size[1]}
-        return self.add(name, shape, place, mass=mass, **rest)
+        return self.add(name, shape, position, mass=mass, **rest)
 
-    def disc(self, name: str, place: Place, radius: float, mass: float, **rest: object) -> str:
+    def disc(self, name: str, position: Place, radius: float, mass: float, **rest: object) -> str:
         """Add a dynamic disc."""
-        return self.add(name, {"type": "disc", "radius": radius}, place, mass=mass, **rest)
+        return self.add(name, {"type": "disc", "radius": radius}, position, mass=mass, **rest)
 
-    def block(self, name: str, place: Place, size: Place, **rest: object) -> str:
+    def block(self, name: str, position: Place, size: Place, **rest: object) -> str:
         """Add a static box."""
         shape = {"type": "box", "width": size[0], "height": size[1]}
-        return self.add(name, shape, place, type="static", **rest)
+        return self.add(name, shape, position, type="static", **rest)
 
     def floor(self, **rest: object) -> str:
         """Add a floor whose surface is y = 0: a block, or a line."""
@@ -142,7 +142,7 @@ class Draft:
         the end of a fall.
         """
         drawn = self.pick(RATES[:-1])
-        if not self.contact or self.rests:
+        if not self.contact or self.is_at_rest:
             return drawn
         wide = thinnest({"bodies": self.bodies})
         needed = MARGIN * self._speed() / wide
@@ -188,6 +188,6 @@ class Draft:
         return {"center": rounded(np.round(middle, 3)), "width": round(float(wide), 3)}
 
 
-def held(body: str, x: float, y: float) -> End:
+def body_point(body: str, x: float, y: float) -> End:
     """Return a point of a body as an end of a joint [m]."""
     return {"body": body, "at": rounded((x, y))}

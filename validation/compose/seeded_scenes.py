@@ -26,9 +26,9 @@ class Scene:
     """The family that built it."""
     document: Document
     """The level, as in its file."""
-    rests: bool = False
+    is_at_rest: bool = False
     """Whether it must stay at rest."""
-    free: tuple[str, ...] = ()
+    conserved_momenta: tuple[str, ...] = ()
     """The momenta that no outside force but gravity changes: of x, y, angle."""
 
     @property
@@ -53,4 +53,4 @@ def scene(seed: int, family: str | None = None) -> Scene:
     chosen = family or drawn
     FAMILIES[chosen](draft)
     title = f"{chosen.replace('_', ' ').capitalize()}, seed {seed}"
-    return Scene(seed, chosen, draft.document(title), draft.rests, draft.free)
+    return Scene(seed, chosen, draft.document(title), draft.is_at_rest, draft.conserved_momenta)

@@ -33,7 +33,7 @@ class Contact:
 
     bodies: tuple[int, int]
     """The indices of the two bodies."""
-    place: Array
+    position: Array
     """(2,), its position [m]."""
     normal: Array
     """(2,), from the first body to the second."""
@@ -52,10 +52,10 @@ class Measured:
 class Statics:
     """The equilibrium of a scene with its bodies at the positions of one instant."""
 
-    def __init__(self, document: Document, keeping: JointConstraints, places: Places) -> None:
-        self._document, self._keeping, self._places = document, keeping, places
+    def __init__(self, document: Document, keeping: JointConstraints, poses: Places) -> None:
+        self._document, self._keeping, self._places = document, keeping, poses
         self._bodies = list(document["bodies"].values())
-        self._position = np.column_stack((places.x[0], places.y[0]))
+        self._position = np.column_stack((poses.x[0], poses.y[0]))
         effects = document["effects"]
         self._turns = "rotation" in effects
         self._gravity = np.array(effects.get("gravity", {}).get("acceleration", (0, 0)), float)
@@ -118,7 +118,7 @@ class Statics:
         """
         names, slopes = self._keeping.slopes(self._places)
         for name, slope, kept in zip(names, slopes[0], self._keeping(self._places), strict=True):
-            if not kept.pulls_only or kept.off[0].real > -TOUCHING:
+            if not kept.pulls_only or kept.violation[0].real > -TOUCHING:
                 yield name, -slope.ravel(), kept.pulls_only
 
     def _given(self) -> Array:
@@ -134,17 +134,17 @@ class Statics:
 
     def _pull(self, joint: Document, force: Array) -> None:
         ends = [np.array(self._keeping.point(end, self._places))[:, 0] for end in joint["ends"]]
-        way = ends[1] - ends[0]
-        far = float(np.hypot(*way))
-        pull = joint["stiffness"] * (far - joint.get("length", far)) * way / far
+        vector = ends[1] - ends[0]
+        far = float(np.hypot(*vector))
+        pull = joint["stiffness"] * (far - joint.get("length", far)) * vector / far
         for end, place, sign in zip(joint["ends"], ends, (1, -1), strict=True):
             name = body_of(end)
             if name is not None:
                 row = list(self._document["bodies"]).index(name)
                 force[row] += self._wrench(row, place, sign * pull)
 
-    def _wrench(self, row: int, place: Array, force: Array) -> Array:
-        x, y = place - self._position[row]
+    def _wrench(self, row: int, position: Array, force: Array) -> Array:
+        x, y = position - self._position[row]
         return np.array([*force, x * force[1] - y * force[0]])
 
     def _columns(self) -> Array:
@@ -158,7 +158,7 @@ class Statics:
             x, y = contact.normal
             for row, sign in zip(contact.bodies, (-1, 1), strict=True):
                 for column, force in ((index, (x, y)), (count + index, (-y, x))):
-                    wrench = self._wrench(row, contact.place, sign * np.array(force))
+                    wrench = self._wrench(row, contact.position, sign * np.array(force))
                     columns[3 * row : 3 * row + 3, column] += wrench
         for index, (_, pull, _) in enumerate(self._joints):
             columns[:, 2 * count + index] = pull

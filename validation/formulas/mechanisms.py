@@ -17,7 +17,7 @@ from validation.formulas.runge_kutta import solution
 class Slider(NamedTuple):
     """The position, velocity and acceleration of a piston [m, m/s, m/s²]."""
 
-    place: Array
+    position: Array
     speed: Array
     acceleration: Array
 

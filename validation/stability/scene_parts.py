@@ -41,22 +41,24 @@ def text_of(number: float) -> str:
     return f"{number:,.0f}"
 
 
-def box(place: Place, width: float, height: float, mass: float = 1.0, **rest: object) -> Document:
+def box(
+    position: Place, width: float, height: float, mass: float = 1.0, **rest: object
+) -> Document:
     """Return a dynamic box; m and kg."""
     shape = {"type": "box", "width": width, "height": height}
-    return {"shape": shape, "mass": mass, "position": rounded(place), **rest}
+    return {"shape": shape, "mass": mass, "position": rounded(position), **rest}
 
 
-def disc(place: Place, radius: float, mass: float = 1.0, **rest: object) -> Document:
+def disc(position: Place, radius: float, mass: float = 1.0, **rest: object) -> Document:
     """Return a dynamic disc; m and kg."""
     shape = {"type": "disc", "radius": radius}
-    return {"shape": shape, "mass": mass, "position": rounded(place), **rest}
+    return {"shape": shape, "mass": mass, "position": rounded(position), **rest}
 
 
-def block(place: Place, width: float, height: float, **rest: object) -> Document:
+def block(position: Place, width: float, height: float, **rest: object) -> Document:
     """Return a static box; m."""
     shape = {"type": "box", "width": width, "height": height}
-    return {"type": "static", "shape": shape, "position": rounded(place), **rest}
+    return {"type": "static", "shape": shape, "position": rounded(position), **rest}
 
 
 def ground(half: float, friction: float = 0.6, **rest: object) -> Document:
@@ -69,9 +71,9 @@ def rod(first: object, second: object) -> Document:
     return {"type": "rod", "ends": [first, second]}
 
 
-def rounded(place: Place) -> list[float]:
+def rounded(position: Place) -> list[float]:
     """Return coordinates with as many digits as a reader can use [m]."""
-    return [round(float(x), 12) for x in place]
+    return [round(float(x), 12) for x in position]
 
 
 def check(

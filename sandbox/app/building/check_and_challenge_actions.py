@@ -9,7 +9,7 @@ from sandbox.app.words import level_translation
 from sandbox.app.words.language import say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.challenges import add_challenge, drop_challenge
-from sandbox.editing.edits.checks import add_checks, drop_told
+from sandbox.editing.edits.checks import add_checks, drop_check_or_ghost
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 
@@ -105,4 +105,4 @@ def _check(work: EditedLevel, body: str) -> None:
 
 def _drop(work: EditedLevel, part: Literal["checks", "ghosts"], which: int | str) -> None:
     said = say("take out a check") if part == "checks" else say("take out a ghost")
-    work.change(said, lambda text, _: drop_told(text, part, which))
+    work.change(said, lambda text, _: drop_check_or_ghost(text, part, which))

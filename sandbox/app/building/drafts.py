@@ -52,7 +52,7 @@ class Drafts:
     def add(self, draft: Draft) -> None:
         """Keep a draft, and drop others that were not edited."""
         for other in [other for other in self._kept if other is not draft]:
-            other.rest()
+            other.drop_caches()
             if not other.touched:
                 self._kept.pop(other).forget()
         self._kept[draft] = self._kept.pop(draft, Recovery())  # the latest last

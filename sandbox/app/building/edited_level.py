@@ -13,7 +13,7 @@ from sandbox.editing import suggested_checks
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, grouping, moving_and_aligning
 from sandbox.editing.edits.edit_result import EditResult
-from sandbox.editing.expanded_level import plain
+from sandbox.editing.expanded_level import expanded
 from sandbox.model.comments import members
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.level import Level
@@ -74,7 +74,7 @@ class EditedLevel:
 
     def refresh(self) -> None:
         """Draw the present text."""
-        self.text = plain(self.draft.text)
+        self.text = expanded(self.draft.text)
         self.document: Mapping[str, Any] = json.loads(self.text, object_pairs_hook=members)
         self.sketch = PartialLevel(self.document)
         self.version = object()
@@ -119,7 +119,7 @@ class EditedLevel:
 
     def _followed(self, text: str) -> str:
         level = self.draft.level
-        found = text if level is None else suggested_checks.followed(level, text)
+        found = text if level is None else suggested_checks.with_updated_checks(level, text)
         if found.count('"formula"') < text.count('"formula"'):
             self.tell(say("The suggested checks were removed with the parts that they were about"))
         return found
@@ -170,7 +170,7 @@ class EditedLevel:
     def undo(self) -> None:
         """Undo the last step."""
         messages = later("Undone: {step}"), later("Nothing to undo")
-        if self.draft.undoes:
+        if self.draft.undo_description:
             self._left.append(self.selected)
         self._stepped(*messages, self.draft.undo())
 
@@ -190,7 +190,7 @@ class EditedLevel:
         names = [name for _, name in self.selected]
         if names:
             said = say("delete {names}", names=", ".join(names))
-            self.change(said, lambda text, level: bodies.take_out(text, level, names))
+            self.change(said, lambda text, level: bodies.remove_parts(text, level, names))
 
     def nudge(self, across: int, upwards: int, share: float) -> None:
         """Move the selected bodies by a share of a step of the grid."""

@@ -15,7 +15,7 @@ from sandbox.editing import suggested_checks
 from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits import effects
 from sandbox.editing.edits.automatic_title import entitled
-from sandbox.editing.edits.checks import complete
+from sandbox.editing.edits.checks import quantity_completions
 from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
 from sandbox.editing.edits.slope_angle import slope_of, tilt
 from sandbox.editing.renaming import rename
@@ -143,7 +143,7 @@ def completions(work: EditedLevel, entry: EditableField, typed: str) -> list[str
         return []
     found = list[str]()
     if entry.names == "quantity":
-        found = complete(level, begun)
+        found = quantity_completions(level, begun)
     elif entry.names == "body":
         found = [name for name in level.bodies if begun.casefold() in name.casefold()]
     return [] if begun in found else found[:MOST_NAMES]
@@ -220,7 +220,7 @@ def _take(work: EditedLevel, one: Suggestion) -> None:
     title = f"{title[:1].upper()}{title[1:]}"
 
     def edit(text: str, level: Level) -> str:
-        return entitled(suggested_checks.take(text, level, one), title)
+        return entitled(suggested_checks.with_suggestion(text, level, one), title)
 
     if work.change(say(one.setup), edit):
         work.tell(say("Its checks are on the level's page (O); they are tested while it runs"))

@@ -106,7 +106,9 @@ class ModeSwitch:
 
     def _level_is_next(self, session: Session) -> bool:
         """Return whether what was undone last before a run is a change of the level."""
-        return not self._trial.is_taken_back(session) and self._work.draft.redoes is not None
+        return (
+            not self._trial.is_taken_back(session) and self._work.draft.redo_description is not None
+        )
 
     def _change_again(self, session: Session) -> None:
         """Redo a change of the run that was undone."""
@@ -121,7 +123,7 @@ class ModeSwitch:
     def undoes(self, session: Session) -> str | None:
         """Return the description of what would be undone next; None if nothing."""
         if not self.is_shown(session):
-            return self._work.draft.undoes
+            return self._work.draft.undo_description
         if self._trial.changed(session):
             return say("the last change of the run")
         return say("the run")
@@ -133,4 +135,4 @@ class ModeSwitch:
                 return say("change the run")
         elif self._trial.is_undone(self._work.draft.text):
             return say("the run")
-        return self._work.draft.redoes
+        return self._work.draft.redo_description

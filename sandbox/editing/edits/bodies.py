@@ -10,7 +10,7 @@ from math import pi
 
 import numpy as np
 
-from sandbox.editing.cleanup_after_edit import COEFFICIENTS, first_that_loads, without_meaning
+from sandbox.editing.cleanup_after_edit import COEFFICIENTS, first_valid, without_meaning
 from sandbox.editing.drawn_outlines import centroid, simplified
 from sandbox.editing.edits.automatic_title import without_empty_summary
 from sandbox.editing.edits.edit_result import EditResult, new_name
@@ -91,7 +91,7 @@ def add_curve(text: str, level: Level, points: Sequence[XY], tolerance: float) -
     return add_surface(text, level, simplified(points, tolerance, closed=False))
 
 
-def take_out(text: str, level: Level, names: Sequence[str]) -> str:
+def remove_parts(text: str, level: Level, names: Sequence[str]) -> str:
     """Return a level without some bodies or joints, and without parts that then have no meaning.
 
     With a body its joints are removed, and so are checks, effects and parameters that are no longer
@@ -120,7 +120,7 @@ def _add(text: str, level: Level, kind: str, body: Mapping[str, Json]) -> EditRe
     name = new_name(kind, level)
     text = without_empty_summary(text)
     text = put(text, ("bodies", name), {**body, **_coefficients(level)})
-    return EditResult(first_that_loads(_declaring(text, level), text), (name,))
+    return EditResult(first_valid(_declaring(text, level), text), (name,))
 
 
 def _coefficients(level: Level) -> dict[str, Json]:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sandbox.editing.cleanup_after_edit import accepted, without_meaning
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placed_bodies import PlacedBody, around, placed
+from sandbox.editing.placed_bodies import PlacedBody, bounding_box, placed
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -57,7 +57,7 @@ def _bounds(level: Level, body: str) -> tuple[dict[str, Json], dict[str, Json]]:
     if not target:
         x = where[body].center.real
         return {"above": _number(x + STEP), "below": _number(x + 2 * STEP)}, {}
-    low, high = around(target)
+    low, high = bounding_box(target)
     return {"above": _number(low.real), "below": _number(high.real)}, {"below": _number(high.imag)}
 
 

@@ -26,12 +26,12 @@ def add_checks(
     return accepted(put_all(text, {**new, **(besides or {})}))
 
 
-def set_ghost(text: str, body: str, place: tuple[Json, Json]) -> str:
+def set_ghost(text: str, body: str, position: tuple[Json, Json]) -> str:
     """Return a level with a ghost of a body, at [x, y], formulas of the parameters and t.
 
     Raises `LevelError` if the loader refuses it.
     """
-    return accepted(put(text, ("ghosts", body), list(place)))
+    return accepted(put(text, ("ghosts", body), list(position)))
 
 
 def flight(level: Level, body: str) -> tuple[Json, Json]:
@@ -45,15 +45,15 @@ def flight(level: Level, body: str) -> tuple[Json, Json]:
     return x, y
 
 
-def _terms(place: Expression, speed: Expression, along: Expression | None) -> Iterator[str]:
-    yield f"({place.source})"
+def _terms(position: Expression, speed: Expression, along: Expression | None) -> Iterator[str]:
+    yield f"({position.source})"
     if speed.source != 0:
         yield f"({speed.source})*t"
     if along is not None and along.source != 0:
         yield f"({along.source})*t**2/2"
 
 
-def drop_told(text: str, part: Literal["checks", "ghosts"], which: int | str) -> str:
+def drop_check_or_ghost(text: str, part: Literal["checks", "ghosts"], which: int | str) -> str:
     """Return a level without a check or a ghost, and without parameters that only it used.
 
     Raises `PatchError` if there is none.
@@ -61,13 +61,13 @@ def drop_told(text: str, part: Literal["checks", "ghosts"], which: int | str) ->
     return without_meaning(remove(text, (part, which)))
 
 
-def complete(level: Level, begun: str) -> list[str]:
+def quantity_completions(level: Level, partial: str) -> list[str]:
     """Return the names of quantities that contain a typed text, the likeliest first.
 
     Names that begin with it precede those that contain it: `pos` finds `ball.position.x`. In both
     groups the quantities of static bodies come last.
     """
-    typed = begun.strip().casefold()
+    typed = partial.strip().casefold()
     still = {name for name, body in level.bodies.items() if body.type == "static"}
     found = [quantity for quantity in quantities(level) if typed in quantity.name.casefold()]
     found.sort(key=lambda q: (not q.name.casefold().startswith(typed), q.subject in still))

@@ -130,17 +130,17 @@ def _same(name: str, one: Level, other: Level) -> bool:
     return a is not None and b is not None and (a.value, a.unit) == (b.value, b.unit)
 
 
-def _joint(joint: Joint, said: Data, names: Mapping[str, str], by: complex) -> Data:
+def _joint(joint: Joint, document: Data, names: Mapping[str, str], by: complex) -> Data:
     """Return the fields of a copied joint."""
     for path, body, _ in mentions(joint):
-        _inside(said, path[:-1])[path[-1]] = names[body]
+        _inside(document, path[:-1])[path[-1]] = names[body]
     for path, end in ends_of(joint):
         if body_of(end) is None:
-            _inside(said, path[:-1])[path[-1]] = shifted_point(cast("Point", end), by)
+            _inside(document, path[:-1])[path[-1]] = shifted_point(cast("Point", end), by)
     if isinstance(joint, Wire):
-        said["curve"] = shifted_point(joint.curve, by)
-    return said
+        document["curve"] = shifted_point(joint.curve, by)
+    return document
 
 
-def _inside(said: Data, path: tuple[str | int, ...]) -> Any:  # noqa: ANN401 (an object or a list)
-    return reduce(lambda part, step: part[step], path, cast("Any", said))
+def _inside(document: Data, path: tuple[str | int, ...]) -> Any:  # noqa: ANN401 (an object or a list)
+    return reduce(lambda part, step: part[step], path, cast("Any", document))

@@ -121,7 +121,7 @@ def end(pick: Pick, where: Bodies) -> Json:
     """Return an end as in a level's file: a body, a point of a body, or a point [x, y]."""
     if pick.body is None:
         return list(pick.point)
-    at = where[pick.body].inside(complex(*pick.point))
+    at = where[pick.body].to_body(complex(*pick.point))
     return pick.body if abs(at) <= CENTRAL else {"body": pick.body, "at": list(xy(at))}
 
 
@@ -148,21 +148,21 @@ def _motor(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 
 def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    way = complex(*chosen[1].point) - complex(*chosen[0].point)
-    return {**_line(chosen, where), "direction": _direction(way)}
+    vector = complex(*chosen[1].point) - complex(*chosen[0].point)
+    return {**_line(chosen, where), "direction": _direction(vector)}
 
 
-def _direction(way: complex) -> Json:
+def _direction(vector: complex) -> Json:
     """Return the direction of a way between two picks; to the right if they are at one point."""
-    return list(xy(way)) if abs(way) > CENTRAL else [1, 0]
+    return list(xy(vector)) if abs(vector) > CENTRAL else [1, 0]
 
 
 def _slot(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     """Return a slot in the second body, or in the first if the second is the plane."""
     first, second = chosen[:2] if chosen[1].body else (chosen[1], chosen[0])
-    turn = where[second.body].turn if second.body else 1.0
-    way = (complex(*second.point) - complex(*first.point)) / turn
-    return {**_line([first, second], where), "direction": _direction(way)}
+    turn = where[second.body].rotation if second.body else 1.0
+    vector = (complex(*second.point) - complex(*first.point)) / turn
+    return {**_line([first, second], where), "direction": _direction(vector)}
 
 
 def _stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
@@ -227,10 +227,10 @@ def _spring(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 def _wire(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     """Return a straight wire that extends equally far on both sides of the bead."""
     start = complex(*chosen[0].point)
-    way = complex(*chosen[1].point) - start
+    vector = complex(*chosen[1].point) - start
     formulas: list[Json] = [
         f"{plain(begin)!r} + {plain(along)!r}*s"
-        for begin, along in zip(xy(start), xy(way), strict=True)
+        for begin, along in zip(xy(start), xy(vector), strict=True)
     ]
     return {"bead": end(chosen[0], where), "curve": formulas, "s": [-1, 1]}
 

@@ -6,7 +6,7 @@ from typing import Literal
 from sandbox.editing.attached_bodies import attached
 from sandbox.editing.formula_arithmetic import negative, shifted
 from sandbox.editing.json_layout import Json
-from sandbox.editing.placed_bodies import around, chosen
+from sandbox.editing.placed_bodies import bodies_named, bounding_box
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.body import Body
 from sandbox.model.expressions import Expression
@@ -37,7 +37,7 @@ def mirror(text: str, level: Level, names: Collection[str], axis: Literal["x", "
     Coordinates along the axis are reversed: x swaps left and right, y above and below. Raises
     `SandboxError` if there are no bodies.
     """
-    low, high = around(chosen(level, names).values())
+    low, high = bounding_box(bodies_named(level, names).values())
     mirror = _Mirror(axis, (low + high).real if axis == "x" else (low + high).imag)
     changes = Changes()
     for name in names:
@@ -46,7 +46,7 @@ def mirror(text: str, level: Level, names: Collection[str], axis: Literal["x", "
         if (held := set(bodies_of(joint))) and held <= set(names):
             changes |= mirror.joint(("joints", name), joint)
         elif held:
-            changes |= mirror.held(("joints", name), joint, names)
+            changes |= mirror.joint_points(("joints", name), joint, names)
     return attached(put_all(text, changes), level, names)
 
 
@@ -74,7 +74,7 @@ class _Mirror:
 
     def joint(self, path: Path, joint: Joint) -> Changes:
         """Return the changes of a joint whose bodies are all mirrored."""
-        changes = self.held(path, joint, set(bodies_of(joint)))
+        changes = self.joint_points(path, joint, set(bodies_of(joint)))
         for step, end in ends_of(joint):
             if isinstance(end, tuple):
                 changes[*path, *step] = self._place(end)
@@ -105,7 +105,7 @@ class _Mirror:
                 return {(*path, "unwinds"): other}
         return {}
 
-    def held(self, path: Path, joint: Joint, names: Collection[str]) -> Changes:
+    def joint_points(self, path: Path, joint: Joint, names: Collection[str]) -> Changes:
         """Return the changes of the points at which a joint holds mirrored bodies."""
         return {
             (*path, *step, "at"): self._flipped(end.at)

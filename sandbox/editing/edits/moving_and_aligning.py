@@ -9,8 +9,8 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Literal
 
 from sandbox.editing.attached_bodies import attached, pinned, shifted_point
-from sandbox.editing.formula_arithmetic import turned
-from sandbox.editing.placed_bodies import around, chosen
+from sandbox.editing.formula_arithmetic import rotated
+from sandbox.editing.placed_bodies import bodies_named, bounding_box
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.joints import Wire, body_of
 from sandbox.model.level import Level
@@ -37,19 +37,19 @@ def move(text: str, level: Level, names: Collection[str], by: XY) -> str:
     return shift(text, level, dict.fromkeys(pinned(level, names), complex(*by)))
 
 
-def shift(text: str, level: Level, ways: Mapping[str, complex]) -> str:
+def shift(text: str, level: Level, displacements: Mapping[str, complex]) -> str:
     """Return a level in which each of some bodies is displaced by its own vector [m].
 
     The wire of a bead moves with it.
     """
     changes = Changes()
-    for name, by in ways.items():
+    for name, by in displacements.items():
         if by:
             changes["bodies", name, "position"] = shifted_point(level.bodies[name].position, by)
     for name, joint in level.joints.items():
-        if isinstance(joint, Wire) and (way := ways.get(body_of(joint.bead) or "")):
+        if isinstance(joint, Wire) and (way := displacements.get(body_of(joint.bead) or "")):
             changes["joints", name, "curve"] = shifted_point(joint.curve, way)
-    return attached(put_all(text, changes), level, ways)
+    return attached(put_all(text, changes), level, displacements)
 
 
 def turn(
@@ -59,14 +59,14 @@ def turn(
 
     They turn about a point [m], by default their middle.
     """
-    where = chosen(level, names)
-    low, high = around(where.values())
+    where = bodies_named(level, names)
+    low, high = bounding_box(where.values())
     middle = where[next(iter(names))].center if len(names) == 1 else (low + high) / 2
     center = middle if about is None else complex(*about)
     changes = Changes()
     for name, body in where.items():
         by = (body.center - center) * (rect(1, angle) - 1)
-        changes["bodies", name, "angle"] = turned(body.body.angle, angle)
+        changes["bodies", name, "angle"] = rotated(body.body.angle, angle)
         if by:
             changes["bodies", name, "position"] = shifted_point(body.body.position, by)
     return attached(put_all(text, changes), level, names)
@@ -74,14 +74,14 @@ def turn(
 
 def align(text: str, level: Level, names: Collection[str], side: Side) -> str:
     """Return a level in which bodies are aligned with the outermost of their sides."""
-    where, at = chosen(level, names), _SIDES[side]
-    line = at(around(where.values()))
+    where, at = bodies_named(level, names), _SIDES[side]
+    line = at(bounding_box(where.values()))
     return shift(text, level, {n: line - at(body.bounds) for n, body in where.items()})
 
 
 def distribute(text: str, level: Level, names: Sequence[str], axis: Literal["x", "y"]) -> str:
     """Return a level with equal gaps between bodies along an axis; the outermost bodies stay."""
-    where = chosen(level, names)
+    where = bodies_named(level, names)
     unit = 1 + 0j if axis == "x" else 1j
     spans = {name: tuple(dot(end, unit) for end in body.bounds) for name, body in where.items()}
     ordered = sorted(spans, key=lambda name: sum(spans[name]))

@@ -50,15 +50,15 @@ def swing(text: str, level: Level, name: str) -> str:
     if peg is None:
         raise SandboxError("'{name}' does not hang from a point of the plane", name=name)
     where = placed(level)
-    way = where[name].center - peg
-    turned = degrees(phase(way * 1j))
+    vector = where[name].center - peg
+    turned = degrees(phase(vector * 1j))
     if abs(turned) < STRAIGHT:
-        turned = _free_side(where, name, peg, abs(way))
+        turned = _free_side(where, name, peg, abs(vector))
     angle = parameter_name(level, ("bodies", name, "angle"))
     sin, cos = (f"{function}({angle}*deg)" for function in ("sin", "cos"))
     formulas: list[Json] = [
-        sum_of({"": peg.real, sin: copysign(abs(way), turned)}),
-        sum_of({"": peg.imag, cos: -abs(way)}),
+        sum_of({"": peg.real, sin: copysign(abs(vector), turned)}),
+        sum_of({"": peg.imag, cos: -abs(vector)}),
     ]
     value = plain(rounded(abs(turned)))
     parameters: list[dict[str, Json]] = [
@@ -74,9 +74,11 @@ def swing(text: str, level: Level, name: str) -> str:
 def _free_side(where: Mapping[str, PlacedBody], name: str, peg: complex, length: float) -> float:
     """Return the angle of a side without obstacles, preferably the left [deg]."""
     for turned in (-ASIDE, ASIDE):
-        way = peg + rect(length, turned * pi / 180 - pi / 2) - where[name].center
+        vector = peg + rect(length, turned * pi / 180 - pi / 2) - where[name].center
         if all(
-            distance(where[name], other, way) > 0 for other in where.values() if other.name != name
+            distance(where[name], other, vector) > 0
+            for other in where.values()
+            if other.name != name
         ):
             return turned
     return -ASIDE

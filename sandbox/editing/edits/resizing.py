@@ -77,10 +77,10 @@ def scale(text: str, level: Level, name: str, factor: float) -> str:
 def _handles(body: PlacedBody) -> Sequence[complex]:
     match body.body.shape:
         case Disc() | Hoop():
-            return [body.outside(complex(body.radius))]
+            return [body.to_plane(complex(body.radius))]
         case Box():
             half = body.local[2]
-            return [body.outside(_of(side, half)) for side in _SIDES]
+            return [body.to_plane(_of(side, half)) for side in _SIDES]
         case Polygon() | Segment() | Polyline():
             return body.corners
         case Arc():
@@ -99,7 +99,7 @@ def _dragged(body: PlacedBody, index: int, to: complex) -> Changes:
         case Disc(radius=radius) | Hoop(radius=radius):
             return {_radius(body): towards(radius, _size(abs(to - body.center)), body.values)}
         case Box() as box:
-            return _box(body, box, _SIDES[index], body.inside(to))
+            return _box(body, box, _SIDES[index], body.to_body(to))
         case Polygon() | Segment() | Polyline():
             return _corner(body, index, to)
         case Arc(radius=radius):
@@ -124,7 +124,7 @@ def _box(body: PlacedBody, box: Box, side: complex, to: complex) -> Changes:
         height = _size(side.imag * away.imag)
         changes[*path, "height"] = towards(box.height, height, body.values)
         middle += 1j * side.imag * (height / 2 - half.imag)
-    by = body.turn * middle
+    by = body.rotation * middle
     changes["bodies", body.name, "position"] = shifted_point(body.body.position, by)
     return changes
 
@@ -133,7 +133,7 @@ def _corner(body: PlacedBody, index: int, to: complex) -> Changes:
     """Return the changes that move one corner of a shape."""
     shape = body.body.shape
     assert isinstance(shape, Polygon | Segment | Polyline)
-    by = body.inside(to) - body.local[index]
+    by = body.to_body(to) - body.local[index]
     return {_paths(body)[index]: shifted_point(points_of(shape)[index], by)}
 
 
@@ -186,7 +186,7 @@ def _settled(text: str, before: Level, body: PlacedBody, fixed: int | None) -> s
     other = PlacedBody(body.name, level.bodies[body.name], body.values)
     changes = Changes()
     if fixed is not None and (drift := body.local[fixed] - other.local[fixed]):
-        position = shifted_point(other.body.position, body.turn * drift)
+        position = shifted_point(other.body.position, body.rotation * drift)
         changes["bodies", body.name, "position"] = position
     mass = body.body.mass
     if mass is not None and body.area and mass.source == drawn_mass(body.area):

@@ -41,7 +41,7 @@ class _Tilt(NamedTuple):
     formula: str
     name: str  # the name of the parameter
 
-    def inside(self, point: complex) -> complex:
+    def along_and_normal(self, point: complex) -> complex:
         """Return the coordinates of a point along and normal to the slope [m]."""
         return (point - self.foot) / rect(1, self.angle)
 
@@ -53,7 +53,7 @@ class _Tilt(NamedTuple):
         y = {"": start.imag, cos: local.imag, sin: sign * local.real}
         return [sum_of(x), sum_of(y)]
 
-    def turned(self, angle: float) -> str:
+    def angle_formula(self, angle: float) -> str:
         """Return the formula for the angle of a body that turns with the slope [rad]."""
         more = rounded(degrees(angle - self.angle))
         if abs(more) < FLAT:
@@ -135,16 +135,16 @@ def _refuse_formulas(level: Level, name: str) -> None:
 
 def _tilt(slope: PlacedBody, name: str) -> _Tilt:
     foot, top = sorted(slope.corners, key=lambda corner: (corner.imag, corner.real))
-    way = top - foot
-    if way.real < 0:
-        return _Tilt(foot, phase(-way), f"-{name}*deg", name)
-    return _Tilt(foot, phase(way), f"{name}*deg", name)
+    vector = top - foot
+    if vector.real < 0:
+        return _Tilt(foot, phase(-vector), f"-{name}*deg", name)
+    return _Tilt(foot, phase(vector), f"{name}*deg", name)
 
 
 def _line(slope: PlacedBody, tilted: _Tilt) -> Changes:
     """Return the changes that make a slope a segment of its own x axis, from its lower end."""
     path = ("bodies", slope.name)
-    along = (rounded(tilted.inside(corner).real) for corner in slope.corners)
+    along = (rounded(tilted.along_and_normal(corner).real) for corner in slope.corners)
     start, end = ([plain(x), 0] for x in along)
     return {
         (*path, "shape", "start"): start,
@@ -158,8 +158,8 @@ def _turned(one: PlacedBody, tilted: _Tilt) -> Changes:
     """Return the changes that let a body turn with its slope."""
     path, body = ("bodies", one.name), one.body
     changes: Changes = {
-        (*path, "position"): tilted.vector(tilted.inside(one.center), tilted.foot),
-        (*path, "angle"): tilted.turned(body.angle(one.values)),
+        (*path, "position"): tilted.vector(tilted.along_and_normal(one.center), tilted.foot),
+        (*path, "angle"): tilted.angle_formula(body.angle(one.values)),
     }
     if velocity := complex(*evaluate(body.velocity, one.values)):
         changes[*path, "velocity"] = tilted.vector(velocity / rect(1, tilted.angle))
@@ -178,6 +178,6 @@ def _tied(
         for step, end in ends_of(joint):
             if body_of(end) is None and isinstance(end, tuple) and not names_in(end):
                 point = complex(*evaluate(end, values))
-                place = tilted.vector(tilted.inside(point), tilted.foot)
+                place = tilted.vector(tilted.along_and_normal(point), tilted.foot)
                 changes["joints", name, *step] = place
     return changes

@@ -65,7 +65,7 @@ def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
     return [one for known in (_OF_MANY if crowd else _KNOWN) for one in known(scene)]
 
 
-def followed(before: Level, text: str) -> str:
+def with_updated_checks(before: Level, text: str) -> str:
     """Return a changed level with its suggested checks updated.
 
     Checks that equal the former suggestions are replaced by the present ones, and removed if their
@@ -87,7 +87,7 @@ def followed(before: Level, text: str) -> str:
     return text
 
 
-def take(text: str, level: Level, suggestion: Suggestion) -> str:
+def with_suggestion(text: str, level: Level, suggestion: Suggestion) -> str:
     """Return a level with the checks of a suggestion, and the rate and located bodies they need.
 
     If a check is at a time before something is met, this holds for all values of the parameters.

@@ -63,7 +63,7 @@ class Rope(NamedTuple):
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
     """Yield the closed forms for ropes over static drums."""
     effects = scene.level.effects
-    if scene.fall is None or not scene.only("gravity", "contact", "friction", "restitution"):
+    if scene.gravity_y is None or not scene.only("gravity", "contact", "friction", "restitution"):
         return
     drums = [name for name, body in scene.level.bodies.items() if body.type == "static"]
     drums = [name for name in drums if isinstance(scene.level.bodies[name].shape, Disc)]
@@ -78,16 +78,16 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     """Yield the suggestion for a rope, unless it is close to the limit of slipping."""
-    assert scene.fall is not None
-    g, (m1, m2) = opposite(scene.fall), [scene.mass(name) for name in rope.ends]
+    assert scene.gravity_y is not None
+    g, (m1, m2) = opposite(scene.gravity_y), [scene.mass(name) for name in rope.ends]
     angle = "pi" if abs(rope.wrap - pi) < 10**-DIGITS else repr(plain(round(rope.wrap, DIGITS)))
     held = m1 if mu == "0" else f"{m1}*exp({mu}*{angle})"
     excess = Expression(f"{m2}/({held}) - 1")
     rough = mu != "0"
-    if rough and abs(excess(scene.known)) < EDGE:
+    if rough and abs(excess(scene.known_values)) < EDGE:
         return
-    slips = not rough or excess(scene.known) > 0
-    told = _slipping(rope, m1, m2, held, g) if slips else _holding(rope, m1, m2, g)
+    slips = not rough or excess(scene.known_values) > 0
+    fields = _slipping(rope, m1, m2, held, g) if slips else _holding(rope, m1, m2, g)
     side = f"{m2} > {1 + EDGE}*{held}" if slips else f"{m2} < {1 - EDGE}*{held} and {m1} <= {m2}"
     until = min(_until(each, rope, held) for each in scene.everywhere)
     more: dict[str, Any] = {
@@ -97,7 +97,7 @@ def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     }
     checks = tuple(
         check(label, quantity, formula, scale=scale, **more)
-        for label, quantity, formula, scale in told
+        for label, quantity, formula, scale in fields
     )
     yield Suggestion("capstan", (*rope.ends, rope.drum), checks)
 
@@ -133,19 +133,19 @@ def _ropes(scene: Scene, start: str, drums: Sequence[str]) -> Iterator[Rope]:
     path, rods = _chain(scene, start)
     knots = path[1:-1]
     drum = next((d for d in drums if len(knots) > 1 and _lies(scene, knots, d)), None)
-    if drum is None or not scene.rests(*path):
+    if drum is None or not scene.is_at_rest(*path):
         return
     if names_in([scene.level.bodies[name].position for name in (*path, drum)]):
         return
-    places = [scene.where[name].center for name in path]
-    ways = [b - a for a, b in pairwise(places)]
-    hang = abs(phase(ways[0] / 1j)), abs(phase(-ways[-1] / 1j))
+    positions = [scene.where[name].center for name in path]
+    directions = [b - a for a, b in pairwise(positions)]
+    hang = abs(phase(directions[0] / 1j)), abs(phase(-directions[-1] / 1j))
     light, heavy = (scene.level.bodies[name].mass for name in (start, path[-1]))
     assert light is not None
     assert heavy is not None
     m1, m2 = light(scene.values), heavy(scene.values)
     if max(hang) < SLANT and (m1 < m2 or (m1 == m2 and start < path[-1])):
-        wrap = abs(sum(phase(b / a) for a, b in pairwise(ways)))
+        wrap = abs(sum(phase(b / a) for a, b in pairwise(directions)))
         yield Rope((start, path[-1]), (rods[0], rods[-1]), tuple(knots), drum, wrap)
 
 
@@ -178,12 +178,12 @@ def _lies(scene: Scene, knots: Sequence[str], drum: str) -> bool:
 
 def _until(scene: Scene, rope: Rope, held: str) -> float:
     """Return a time before which nothing is met, and the rope has hardly slipped [s]."""
-    g, (_, m2) = opposite(scene.fall or Expression("0")), (scene.mass(n) for n in rope.ends)
-    a = Expression(f"{g}*({m2} - {held})/({m2} + {held})")(scene.known)
+    g, (_, m2) = opposite(scene.gravity_y or Expression("0")), (scene.mass(n) for n in rope.ends)
+    a = Expression(f"{g}*({m2} - {held})/({m2} + {held})")(scene.known_values)
     if not a:
         return LATEST
     free = (
-        scene.free_until(name, lambda t, way=way: way * a * t * t / 2, rope.knots)  # type: ignore[misc]
-        for name, way in zip(rope.ends, (1j, -1j), strict=True)
+        scene.free_until(name, lambda t, way=direction: way * a * t * t / 2, rope.knots)  # type: ignore[misc]
+        for name, direction in zip(rope.ends, (1j, -1j), strict=True)
     )
     return min(SAFE * min(free), sqrt(2 * RUNS * scene.where[rope.drum].radius / abs(a)), LATEST)

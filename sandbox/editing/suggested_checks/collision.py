@@ -7,8 +7,8 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,
     Scene,
     Suggestion,
+    as_factor,
     check,
-    said,
 )
 from sandbox.model.shapes import Disc
 
@@ -37,7 +37,7 @@ def _meet(scene: Scene, one: str, other: str) -> bool:
     left, right = (a, b) if a.center.real < b.center.real else (b, a)
     closing = scene.velocity(left.name).real - scene.velocity(right.name).real
     gap = right.bounds[0].real - left.bounds[1].real
-    if closing <= 0 or gap <= TOUCHING or gap / closing > 0.9 * scene.lasts:
+    if closing <= 0 or gap <= TOUCHING or gap / closing > 0.9 * scene.duration:
         return False
     free = (
         scene.free_until(name, lambda t, w=w: w * t, (one, other))  # type: ignore[misc]
@@ -48,7 +48,7 @@ def _meet(scene: Scene, one: str, other: str) -> bool:
 
 def _of(scene: Scene, one: str, other: str) -> Suggestion:
     m1, m2 = scene.mass(one), scene.mass(other)
-    v1, v2 = (said(scene.level.bodies[name].velocity[0]) for name in (one, other))
+    v1, v2 = (as_factor(scene.level.bodies[name].velocity[0]) for name in (one, other))
     e = restitution(scene, one, other)
     at = {"event": "contact", "bodies": [one, other]}
     total = f"{m1}*{v1} + {m2}*{v2}"
@@ -73,6 +73,6 @@ def restitution(scene: Scene, one: str, other: str) -> str:
         return "0"
     for pair in effect.pairs:
         if set(pair.bodies) == {one, other}:
-            return said(pair.coefficient)
+            return as_factor(pair.coefficient)
     own = [scene.level.bodies[name].restitution for name in (one, other)]
-    return "*".join(said(coefficient) for coefficient in own if coefficient is not None)
+    return "*".join(as_factor(coefficient) for coefficient in own if coefficient is not None)

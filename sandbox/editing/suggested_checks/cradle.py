@@ -13,10 +13,10 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,
     Scene,
     Suggestion,
+    as_factor,
     check,
     opposite,
     rate_of,
-    said,
 )
 from sandbox.model.expressions import Expression
 from sandbox.model.joint_ends_at_start import end_position
@@ -62,10 +62,10 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _of_hanging(scene: Scene, row: Row) -> Suggestion:
-    assert scene.fall is not None
+    assert scene.gravity_y is not None
     first, last = row.balls[0], row.balls[-1]
-    heights = [said(scene.level.bodies[name].position[1]) for name in row.balls]
-    g, mass = opposite(scene.fall), scene.mass(first)
+    heights = [as_factor(scene.level.bodies[name].position[1]) for name in row.balls]
+    g, mass = opposite(scene.gravity_y), scene.mass(first)
     at = {"event": "contact", "bodies": row.meet}
     speed = f"sqrt(2*{g}*({heights[0]} - {heights[-1]}))"
     energy = f"{mass}*{g}*({' + '.join(heights)})"
@@ -75,16 +75,16 @@ def _of_hanging(scene: Scene, row: Row) -> Suggestion:
         check("energy", "system.energy", energy, NEAR, scale=f"{mass}*{speed}**2/2"),
     )
     beat = max(
-        sqrt(-each.fall(each.values) / abs(_hung(each)[first])) / (2 * pi)
+        sqrt(-each.gravity_y(each.values) / abs(_hung(each)[first])) / (2 * pi)
         for each in scene.everywhere
-        if each.fall
+        if each.gravity_y
     )
     return Suggestion("Newton's cradle", row.balls, checks, rate_of(STEPS * beat), row.balls)
 
 
 def _of_a_line(scene: Scene, row: Row) -> Suggestion:
     first, last = row.balls[0], row.balls[-1]
-    speed = said(scene.level.bodies[first].velocity[0])
+    speed = as_factor(scene.level.bodies[first].velocity[0])
     at = {"event": "contact", "bodies": row.meet}
     more = {"at": at, "scale": f"abs({speed})"}
     checks = (
@@ -106,20 +106,20 @@ def _hung(scene: Scene) -> dict[str, complex]:
 
 def _hanging(scene: Scene) -> Row | None:
     """Return a row of hanging balls, of which those at one end are drawn aside; None if none."""
-    ways = _hung(scene)
-    pegs = {name: scene.where[name].center - way for name, way in ways.items()}
+    vectors = _hung(scene)
+    pegs = {name: scene.where[name].center - vector for name, vector in vectors.items()}
     sides = _both_ways(pegs)
     if (
-        set(ways) != set(scene.dynamic)
+        set(vectors) != set(scene.dynamic)
         or not _equal(scene, sides[0])
         or not _touch(scene, sides[0], pegs)
     ):
         return None
     for row in sides:
-        drawn = ways[row[0]]
-        coming = sum(abs(ways[name] - drawn) < TOUCHING for name in row)
-        still = [ways[name] for name in row[coming:]]
-        down = still and all(abs(way + 1j * abs(drawn)) < TOUCHING for way in still)
+        drawn = vectors[row[0]]
+        coming = sum(abs(vectors[name] - drawn) < TOUCHING for name in row)
+        still = [vectors[name] for name in row[coming:]]
+        down = still and all(abs(vector + 1j * abs(drawn)) < TOUCHING for vector in still)
         outwards = drawn.real * (pegs[row[0]] - pegs[row[1]]).real > 0
         aside = SMALLEST < abs(phase(drawn * 1j)) < STEEPEST
         if down and outwards and aside and _clear(scene, row, pegs, drawn):
@@ -129,15 +129,18 @@ def _hanging(scene: Scene) -> Row | None:
 
 def _on_a_line(scene: Scene) -> Row | None:
     """Return a row of balls along x, of which some move towards the others at rest, or None."""
-    places = {name: scene.where[name].center for name in scene.dynamic}
-    if any(scene.joints[name] for name in places) or len({p.imag for p in places.values()}) > 1:
+    positions = {name: scene.where[name].center for name in scene.dynamic}
+    if (
+        any(scene.joints[name] for name in positions)
+        or len({p.imag for p in positions.values()}) > 1
+    ):
         return None
-    for row in _both_ways(places):
+    for row in _both_ways(positions):
         comes = scene.velocity(row[0])
         coming = sum(scene.velocity(name) == comes for name in row)
         a, b = row[coming - 1 : coming + 1] if 0 < coming < len(row) else (row[0], row[0])
-        gap, towards = scene.distance(a, 0j, b), comes.real * (places[b] - places[a]).real > 0
-        if comes.imag or not towards or gap < TOUCHING or not scene.rests(*row[coming:]):
+        gap, towards = scene.distance(a, 0j, b), comes.real * (positions[b] - positions[a]).real > 0
+        if comes.imag or not towards or gap < TOUCHING or not scene.is_at_rest(*row[coming:]):
             continue
         groups = row[:coming], row[coming:]
         free = [scene.free_until(name, lambda t: comes * t, row) for name in groups[0]]  # noqa: B023
@@ -150,9 +153,9 @@ def _on_a_line(scene: Scene) -> Row | None:
     return None
 
 
-def _both_ways(places: Mapping[str, complex]) -> list[tuple[str, ...]]:
+def _both_ways(positions: Mapping[str, complex]) -> list[tuple[str, ...]]:
     """Return the names from left to right, and from right to left."""
-    row = tuple(sorted(places, key=lambda name: places[name].real))
+    row = tuple(sorted(positions, key=lambda name: positions[name].real))
     return [row, row[::-1]]
 
 
@@ -162,7 +165,7 @@ def _equal(scene: Scene, row: Sequence[str]) -> bool:
     masses = {body.mass(scene.values) for body in bodies if body.mass}
     sizes = {scene.where[name].radius for name in row}
     round_ones = all(isinstance(body.shape, Disc) for body in bodies)
-    bounce = {Expression(restitution(scene, *two))(scene.known) for two in pairwise(row)}
+    bounce = {Expression(restitution(scene, *two))(scene.known_values) for two in pairwise(row)}
     return round_ones and len(masses) == len(sizes) == 1 and bounce == {1.0}
 
 

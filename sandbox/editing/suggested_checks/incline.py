@@ -15,11 +15,11 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,
     Scene,
     Suggestion,
+    as_factor,
     check,
+    displaced,
     instant,
-    moved,
     opposite,
-    said,
 )
 from sandbox.model.expressions import Expression
 from sandbox.model.level_parts import names_in
@@ -44,7 +44,7 @@ HALF = 0.6
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
     """Yield the closed forms for blocks that lie flat on a slope."""
-    if scene.fall is None or not scene.only("gravity", "contact", "friction", "rotation"):
+    if scene.gravity_y is None or not scene.only("gravity", "contact", "friction", "rotation"):
         return
     if scene.level.effects.contact is None:
         return
@@ -53,7 +53,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
         if scene.joints[name] or not isinstance(block.body.shape, Box | Polygon):
             continue
         found = [(s, n) for s in scene.where for n in _lies_on(scene, block, s)]
-        if len(found) == 1 and scene.rests(name):
+        if len(found) == 1 and scene.is_at_rest(name):
             yield from _of(scene, name, *found[0])
 
 
@@ -77,16 +77,16 @@ def side(own: Core, core: Core, radius: float) -> Gap:
     found = gap(own, core, radius)
     if found.distance > 0:
         return found
-    back, forth = (gap(moved(own, way * found.normal), core, radius) for way in (-HAIR, HAIR))
+    back, forth = (gap(displaced(own, way * found.normal), core, radius) for way in (-HAIR, HAIR))
     return back if back.distance > 0 or found.distance < 0 else forth
 
 
 def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion]:
-    fall, angle = scene.fall, abs(phase(up / 1j))
+    fall, angle = scene.gravity_y, abs(phase(up / 1j))
     mu, theta = friction(scene, name, slope), _theta(scene, name, slope, angle)
     if fall is None or not LEAST < angle < MOST or mu is None or theta is None:
         return
-    rubs = Expression(mu)(scene.known)
+    rubs = Expression(mu)(scene.known_values)
     along = -fall(scene.values) * (sin(angle) - rubs * cos(angle))
     g, weight = opposite(fall), f"{scene.mass(name)}*{opposite(fall)}"
     normal = f"{weight}*cos({theta})"
@@ -104,10 +104,10 @@ def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion
     until = min(
         _until(each, name, slope, lambda t, a=a, down=down: down * a * t * t / 2)  # type: ignore[misc]
         for each in scene.everywhere
-        if each.fall and (a := -each.fall(each.values) * slides(each.known)) > 0
+        if each.gravity_y and (a := -each.gravity_y(each.values) * slides(each.known_values)) > 0
         for down in _down(each, name, slope)
     )
-    at = None if until == scene.lasts else instant(SAFE * until)
+    at = None if until == scene.duration else instant(SAFE * until)
     more = {"at": at, "valid_if": f"{pull} > 0" if slides.names else None}
     checks = (
         check("acceleration", f"{name}.acceleration", f"{g}*{pull}", EXACT, scale=g, **more),
@@ -144,24 +144,26 @@ def friction(scene: Scene, name: str, slope: str) -> str | None:
     if any(body.static_friction is not None for body in bodies):
         return None
     own = [body.friction for body in bodies if body.friction is not None]
-    return "*".join(said(coefficient) for coefficient in own if coefficient.source != 1) or "1"
+    return "*".join(as_factor(coefficient) for coefficient in own if coefficient.source != 1) or "1"
 
 
-def _until(scene: Scene, name: str, slope: str, way: Callable[[float], complex]) -> float:
+def _until(scene: Scene, name: str, slope: str, path: Callable[[float], complex]) -> float:
     """Return the time at which the block reaches the end of its slope or another body [s]."""
-    free = scene.free_until(name, way, (slope,))
+    free = scene.free_until(name, path, (slope,))
     whole = _length(scene, name, slope, 0j)
     for t in np.linspace(0, free, SAMPLES).tolist():
-        if _length(scene, name, slope, way(t)) < HALF * whole:
+        if _length(scene, name, slope, path(t)) < HALF * whole:
             return t - free / (SAMPLES - 1)
     return free
 
 
-def _length(scene: Scene, name: str, slope: str, way: complex) -> float:
+def _length(scene: Scene, name: str, slope: str, displacement: complex) -> float:
     """Return the length of the side with which a displaced block lies on its slope [m]."""
     block, under = scene.where[name], scene.where[slope]
     found = [
-        side(moved(own, way), core, under.radius) for own in block.cores for core in under.cores
+        side(displaced(own, displacement), core, under.radius)
+        for own in block.cores
+        for core in under.cores
     ]
     nearest = min(found, key=lambda one: one.distance)
     return abs(nearest.points[-1] - nearest.points[0])

@@ -15,10 +15,10 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,
     Scene,
     Suggestion,
+    as_factor,
     check,
     opposite,
     rate_of,
-    said,
 )
 from sandbox.model.expressions import Expression
 from sandbox.model.joints import Joint, Pivot, body_of
@@ -67,7 +67,7 @@ class Weight(NamedTuple):
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
     """Yield the closed forms for levers."""
-    fall, effects = scene.fall, scene.level.effects
+    fall, effects = scene.gravity_y, scene.level.effects
     if fall is None or not scene.only("gravity", "contact", "friction", "rotation"):
         return
     if effects.contact is None or effects.rotation is None:
@@ -86,7 +86,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 def _lever(scene: Scene, weights: Sequence[Weight], form: str) -> Suggestion:
     """Return the suggestion for a lever."""
     label, quantity = "angular acceleration", f"{weights[0].name}.angular_acceleration"
-    fastest = max(abs(Expression(form)(each.known)) for each in scene.everywhere)
+    fastest = max(abs(Expression(form)(each.known_values)) for each in scene.everywhere)
     checks = (check(label, quantity, form, NEAR, scale="1", at=0),)
     about = tuple(one.name for one in weights)
     return Suggestion("lever", about, checks, rate_of(sqrt(STEPS * fastest)))
@@ -101,7 +101,7 @@ def _weights(scene: Scene, joint: Joint) -> list[Weight]:
     if name is None or not isinstance(pin, tuple):
         return []
     lying = _lying(scene, name)
-    if not lying or not scene.rests(name, *lying):
+    if not lying or not scene.is_at_rest(name, *lying):
         return []
     found = [_weight(scene, one, pin, name if one != name else None) for one in (name, *lying)]
     return [one for one in found if one] if all(found) else []
@@ -110,7 +110,7 @@ def _weights(scene: Scene, joint: Joint) -> list[Weight]:
 def _weight(scene: Scene, name: str, pin: Point, plank: str | None) -> Weight | None:
     """Return a body on a plank, or the plank itself; None if it has no short formula."""
     body, moment = scene.level.bodies[name], _moment(scene, name)
-    across, up = (_minus(place, at) for place, at in zip(body.position, pin, strict=True))
+    across, up = (_minus(position, at) for position, at in zip(body.position, pin, strict=True))
     if plank:
         rubs, rolls = friction(scene, name, plank), isinstance(body.shape, Disc)
         if rubs is None or (rolls and rubs != "0"):
@@ -122,7 +122,7 @@ def _weight(scene: Scene, name: str, pin: Point, plank: str | None) -> Weight | 
 def _lying(scene: Scene, plank: str) -> list[str]:
     """Return the bodies on a plank; none if it is not horizontal, or anything else touches."""
     level, board = scene.level, scene.where[plank]
-    straight = isinstance(board.body.shape, Box) and abs(board.turn.imag) < FLAT
+    straight = isinstance(board.body.shape, Box) and abs(board.rotation.imag) < FLAT
     if not straight or len(scene.joints[plank]) != 1 or board.body.type != "dynamic":
         return []
     touching = [name for name in level.bodies if name != plank and _touch(scene, plank, name)]
@@ -156,12 +156,12 @@ def _moment(scene: Scene, name: str) -> str | None:
     """Return the moment of inertia about the centre as a formula; None if it has no short one."""
     body = scene.level.bodies[name]
     if body.moment is not None:
-        return said(body.moment)
+        return as_factor(body.moment)
     match body.shape:
         case Disc(radius=radius):
-            return f"{scene.mass(name)}*{said(radius)}**2/2"
+            return f"{scene.mass(name)}*{as_factor(radius)}**2/2"
         case Box(width=width, height=height):
-            return f"{scene.mass(name)}*({said(width)}**2 + {said(height)}**2)/12"
+            return f"{scene.mass(name)}*({as_factor(width)}**2 + {as_factor(height)}**2)/12"
     return None
 
 
@@ -170,27 +170,31 @@ def _minus(one: Expression, other: Expression) -> str:
     if not one.names and not other.names:
         number = plain(round(one({}) - other({}), ROUND))
         return f"({number!r})" if number < 0 else f"{number!r}" if number else "0"
-    return said(one) if not other.names and not other({}) else f"({said(one)} - {said(other)})"
+    return (
+        as_factor(one)
+        if not other.names and not other({})
+        else f"({as_factor(one)} - {as_factor(other)})"
+    )
 
 
 def _stay(scene: Scene, joint: Joint, weights: Sequence[Weight], form: str) -> bool:
     """Return whether the same weights lie on the plank, and stay as it begins to turn."""
     if _weights(scene, joint) != list(weights):
         return False
-    alpha = Expression(form)(scene.known)
+    alpha = Expression(form)(scene.known_values)
     return all(_stays(scene, one, weights[0].name, alpha) for one in weights[1:])
 
 
 def _stays(scene: Scene, weight: Weight, plank: str, alpha: float) -> bool:
     """Return whether a weight stays pressed on a plank that begins to turn, and does not tip."""
-    assert scene.fall is not None
+    assert scene.gravity_y is not None
     formulas = weight.mass, weight.across, weight.up, weight.moment
-    mass, across, up, moment = (Expression(formula)(scene.known) for formula in formulas)
-    g = -scene.fall(scene.values)
+    mass, across, up, moment = (Expression(formula)(scene.known_values) for formula in formulas)
+    g = -scene.gravity_y(scene.values)
     presses = g + alpha * across
     if presses < PRESSED * g:
         return False
-    rubs = Expression(friction(scene, weight.name, plank) or "0")(scene.known)
+    rubs = Expression(friction(scene, weight.name, plank) or "0")(scene.known_values)
     here, board = scene.where[weight.name], scene.where[plank]
     base = sorted(point.real for point in _under(here, board).points)
     high = here.center.imag - board.bounds[1].imag  # above the surface, where friction acts

@@ -14,10 +14,10 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,
     Scene,
     Suggestion,
+    as_factor,
     check,
     opposite,
     rate_of,
-    said,
 )
 from sandbox.model.expressions import Expression
 from sandbox.model.functions import Formula
@@ -43,7 +43,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
     held = [(joint, bob) for joint in springs if (bob := _held_by(scene, joint))]
     for joint, bob in held:
         yield from _along(scene, joint, bob)
-    for joint, bob in held if scene.fall is not None and len(scene.dynamic) == 1 else ():
+    for joint, bob in held if scene.gravity_y is not None and len(scene.dynamic) == 1 else ():
         yield from _aside(scene, joint, bob)
 
 
@@ -59,37 +59,37 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
     first, second = joint.ends
     end = second if body_of(first) else first
     peg = end_position(end, scene.level.bodies, values)
-    way = scene.where[bob].center - peg
-    if not way or (way.real and way.imag):
+    vector = scene.where[bob].center - peg
+    if not vector or (vector.real and vector.imag):
         return
-    index = 1 if way.imag else 0
+    index = 1 if vector.imag else 0
     pull = complex(*(a(values) for a in fall.acceleration)) if fall else 0j
-    k, m = said(joint.stiffness), scene.mass(bob)
-    start, speed = said(body.position[index]), said(body.velocity[index])
+    k, m = as_factor(joint.stiffness), scene.mass(bob)
+    start, speed = as_factor(body.position[index]), as_factor(body.velocity[index])
     slack = start
     if joint.length is not None:
-        sign = "+" if way.real + way.imag > 0 else "-"
-        slack = f"({said(_point(end)[index])} {sign} {said(joint.length)})"
-    rest = f"({slack} + {said(fall.acceleration[index])}*{m}/{k})" if fall and pull else slack
-    square, form = _motion(k, m, said(joint.damping), rest, start, speed)
-    if Expression(square)(scene.known) <= 0:
+        sign = "+" if vector.real + vector.imag > 0 else "-"
+        slack = f"({as_factor(_point(end)[index])} {sign} {as_factor(joint.length)})"
+    rest = f"({slack} + {as_factor(fall.acceleration[index])}*{m}/{k})" if fall and pull else slack
+    square, form = _motion(k, m, as_factor(joint.damping), rest, start, speed)
+    if Expression(square)(scene.known_values) <= 0:
         return  # overdamped or critically damped
-    omega, motion = sqrt(Expression(square)(scene.known)), Formula(form)
-    times = np.linspace(0, min(scene.lasts, 2 * pi / omega), 60)
-    places = motion.over(scene.known, times)
-    swing = places - (peg.imag if index else peg.real)
+    omega, motion = sqrt(Expression(square)(scene.known_values)), Formula(form)
+    times = np.linspace(0, min(scene.duration, 2 * pi / omega), 60)
+    positions = motion.over(scene.known_values, times)
+    swing = positions - (peg.imag if index else peg.real)
     unit = 1j if index else 1 + 0j
     across = dot(pull, unit * 1j) or dot(scene.velocity(bob), unit * 1j)
     if across or np.ptp(swing) < TOUCHING or swing.min() * swing.max() <= 0:
         return
-    ways = [unit * (s - dot(way, unit)) for s in swing.tolist()]
+    displacements = [unit * (s - dot(vector, unit)) for s in swing.tolist()]
     others = [name for name in scene.where if name != bob and scene.level.effects.contact]
-    if any(scene.distance(bob, by, other) < TOUCHING for by in ways for other in others):
+    if any(scene.distance(bob, by, other) < TOUCHING for by in displacements for other in others):
         return
     axis, most = "xy"[index], plain(float(f"{np.ptp(swing) / 2:.3g}"))
     checks = check("place", f"{bob}.position.{axis}", form, NEAR, scale=most)
-    share = max(1.0, float(np.abs(places).max()) / most)
-    yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.lasts, share)))
+    share = max(1.0, float(np.abs(positions).max()) / most)
+    yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.duration, share)))
 
 
 def _motion(k: str, m: str, c: str, rest: str, start: str, speed: str) -> tuple[str, str]:
@@ -123,15 +123,15 @@ def _rate(omega: float, lasts: float, share: float) -> float:
 
 def _aside(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
     """Yield the energy of a single body released on an unstretched spring without damping."""
-    assert scene.fall is not None
+    assert scene.gravity_y is not None
     if joint.length is not None or joint.damping.source != 0:
         return
     if all(_swings(each, joint, bob) for each in scene.everywhere):
-        weight = f"{scene.mass(bob)}*{opposite(scene.fall)}"
-        energy = f"{weight}*{said(scene.level.bodies[bob].position[1])}"
+        weight = f"{scene.mass(bob)}*{opposite(scene.gravity_y)}"
+        energy = f"{weight}*{as_factor(scene.level.bodies[bob].position[1])}"
         beat = max(_beat(each, joint, bob) for each in scene.everywhere)
-        told = check("energy", "system.energy", energy, NEAR, scale=weight)
-        yield Suggestion("spring pendulum", (bob,), (told,), rate_of(STEPS * beat))
+        fields = check("energy", "system.energy", energy, NEAR, scale=weight)
+        yield Suggestion("spring pendulum", (bob,), (fields,), rate_of(STEPS * beat))
 
 
 def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
@@ -139,16 +139,16 @@ def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
 
     At a distance r from the peg, k (r - L)²/2 ≤ m g (r + h), if it starts h above the peg.
     """
-    assert scene.fall is not None
+    assert scene.gravity_y is not None
     peg = end_position(joint.ends[1] if body_of(joint.ends[0]) else joint.ends[0], {}, scene.values)
-    way = scene.where[bob].center - peg
-    if not way.real or not scene.rests(bob):
+    vector = scene.where[bob].center - peg
+    if not vector.real or not scene.is_at_rest(bob):
         return False
-    sag = -scene.fall(scene.values) / (2 * pi * _beat(scene, joint, bob)) ** 2
-    far = abs(way) + sag + sqrt(sag**2 + 2 * sag * (abs(way) + way.imag))
+    sag = -scene.gravity_y(scene.values) / (2 * pi * _beat(scene, joint, bob)) ** 2
+    far = abs(vector) + sag + sqrt(sag**2 + 2 * sag * (abs(vector) + vector.imag))
     contact = scene.level.effects.contact is not None
     others = [name for name in scene.where if name != bob and contact]
-    return all(scene.distance(bob, -way, other) > far for other in others)
+    return all(scene.distance(bob, -vector, other) > far for other in others)
 
 
 def _beat(scene: Scene, joint: Spring, bob: str) -> float:

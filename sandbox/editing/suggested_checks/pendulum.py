@@ -15,10 +15,10 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,
     Scene,
     Suggestion,
+    as_factor,
     check,
     opposite,
     rate_of,
-    said,
 )
 from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import Joint, Rod, Rope, points
@@ -47,18 +47,18 @@ class Swing(NamedTuple):
 
     peg: complex
     """m, its position"""
-    way: complex
+    vector: complex
     """m, the vector from the peg to the bob"""
 
     @property
     def angle(self) -> float:
         """The angle from the vertical [rad]."""
-        return abs(phase(self.way * 1j))
+        return abs(phase(self.vector * 1j))
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
     """Yield the closed forms for pendulums."""
-    if scene.fall is None:
+    if scene.gravity_y is None:
         return
     if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
@@ -71,24 +71,24 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 def _of(scene: Scene, name: str, bob: str, swings: Sequence[Swing]) -> Suggestion:
     """Return the suggestion for a pendulum, given its swing for each tried set of parameters."""
-    assert scene.fall is not None
-    g, mass, (x, y) = opposite(scene.fall), scene.mass(bob), scene.level.bodies[bob].position
+    assert scene.gravity_y is not None
+    g, mass, (x, y) = opposite(scene.gravity_y), scene.mass(bob), scene.level.bodies[bob].position
     quarters = [
-        _quarter(abs(swing.way), swing.angle, -each.fall(each.values))
+        _quarter(abs(swing.vector), swing.angle, -each.gravity_y(each.values))
         for swing, each in zip(swings, scene.everywhere, strict=True)
-        if each.fall
+        if each.gravity_y
     ]
-    energy = f"{mass}*{g}*{said(y)}"
+    energy = f"{mass}*{g}*{as_factor(y)}"
     checks = [check("energy", f"{bob}.energy", energy, NEAR, scale=f"{mass}*{g}")]
-    (peg, way), joint = swings[0], scene.level.joints[name]
-    length = plain(abs(way))
-    if not names_in(joint) and all(abs(abs(one.way) - abs(way)) < SAME for one in swings):
+    (peg, vector), joint = swings[0], scene.level.joints[name]
+    length = plain(abs(vector))
+    if not names_in(joint) and all(abs(abs(one.vector) - abs(vector)) < SAME for one in swings):
         checks.append(check("length", f"{name}.length", f"{length!r}", 1e-10))
         near = not names_in((x, y)) or max(one.angle for one in swings) < WIDE
-        if near and scene.lasts > max(quarters):
+        if near and scene.duration > max(quarters):
             form = f"pi/2*sqrt({length!r}/{g})/{plain(_mean(1.0, cos(swings[0].angle / 2)))!r}"
             if names_in((x, y)):
-                cosine = f"({plain(peg.imag)!r} - {said(y)})/{length!r}"
+                cosine = f"({plain(peg.imag)!r} - {as_factor(y)})/{length!r}"
                 form = f"2*pi*sqrt({length!r}/{g})/(1 + ((1 + {cosine})/2)**0.25)**2"
             at = {"event": "crossing", "quantity": f"{bob}.position.x", "value": plain(peg.real)}
             checks.append(check("quarter of a period", "t", form, NEAR, at=at))
@@ -118,19 +118,21 @@ def bob_of(scene: Scene, joint: Joint) -> str | None:
     if not isinstance(joint, Rod | Rope) or joint.length is not None:
         return None
     bob = scene.held_by(joint)
-    return bob if bob and scene.rests(bob) else None
+    return bob if bob and scene.is_at_rest(bob) else None
 
 
-def swings_free(scene: Scene, bob: str, peg: complex, way: complex, others: Iterable[str]) -> bool:
+def swings_free(
+    scene: Scene, bob: str, peg: complex, vector: complex, others: Iterable[str]
+) -> bool:
     """Return whether a swing about a peg, from a vector [m] to its mirror image, is unobstructed.
 
     A string is taken to stay taut.
     """
     if scene.level.effects.contact is None:
         return True
-    start, center = phase(way * 1j), scene.where[bob].center
+    start, center = phase(vector * 1j), scene.where[bob].center
     turns = np.linspace(start, -start, 100).tolist()
-    swing = [peg + rect(abs(way), turn) / 1j - center for turn in turns]
+    swing = [peg + rect(abs(vector), turn) / 1j - center for turn in turns]
     return all(scene.distance(bob, by, o) > TOUCHING for by in swing for o in others)
 
 

@@ -6,10 +6,10 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,
     Scene,
     Suggestion,
+    as_factor,
     check,
     instant,
     opposite,
-    said,
 )
 from sandbox.model.expressions import Expression
 
@@ -22,7 +22,7 @@ SHORTEST = 0.05
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
     """Yield the closed forms for bodies in free flight."""
-    fall = scene.fall
+    fall = scene.gravity_y
     if fall is None or not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
     for name in scene.dynamic:
@@ -31,9 +31,10 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
         free = min(_free(each, name, fall) for each in scene.everywhere)
         if free < SHORTEST:
             continue
-        body, at = scene.level.bodies[name], None if free == scene.lasts else instant(SAFE * free)
-        x, y = map(said, body.position)
-        u, w = map(said, body.velocity)
+        body = scene.level.bodies[name]
+        at = None if free == scene.duration else instant(SAFE * free)
+        x, y = map(as_factor, body.position)
+        u, w = map(as_factor, body.velocity)
         g = opposite(fall)
         yield Suggestion(
             "thrown body" if scene.velocity(name) else "falling body",

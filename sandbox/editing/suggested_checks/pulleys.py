@@ -52,19 +52,19 @@ class Part(NamedTuple):
     """A straight part of a string, between two of its points."""
 
     ends: tuple[End, End]
-    places: tuple[complex, complex]
+    positions: tuple[complex, complex]
     """m, the positions of the ends"""
 
     @property
-    def way(self) -> complex:
+    def direction(self) -> complex:
         """The unit vector along it; 0 if it has no length."""
-        long = self.places[1] - self.places[0]
-        return long / abs(long) if long else 0j
+        vector = self.positions[1] - self.positions[0]
+        return vector / abs(vector) if vector else 0j
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
     """Yield the closed forms for bodies carried by one string."""
-    if scene.fall is None:
+    if scene.gravity_y is None:
         return
     if not scene.only("gravity", "contact", "rotation", "friction", "restitution"):
         return
@@ -79,15 +79,15 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 def _of(scene: Scene, name: str, carried: Sequence[Carried], until: float) -> Suggestion:
     """Return the suggestion for bodies on a string that meet nothing before a time [s]."""
-    assert scene.fall is not None
-    g, upright = opposite(scene.fall), _upright(scene, scene.level.joints[name])
+    assert scene.gravity_y is not None
+    g, upright = opposite(scene.gravity_y), _upright(scene, scene.level.joints[name])
     tension, moves = _forms(carried, g)
-    at = None if until >= scene.lasts else instant(SAFE * until)
+    at = None if until >= scene.duration else instant(SAFE * until)
     more: dict[str, Any] = {"at": at if upright else 0, "tolerance": EXACT if upright else NEAR}
-    told = list(zip(carried, moves, strict=False))[: 1 if _is_atwood(carried) else None]
+    fields = list(zip(carried, moves, strict=False))[: 1 if _is_atwood(carried) else None]
     checks = [
         check("acceleration", f"{one.name}.acceleration.y", form, scale=g, **more)
-        for one, form in told
+        for one, form in fields
     ]
     checks.append(check("tension", f"{name}.tension", tension, **more))
     if upright and moves:
@@ -120,15 +120,17 @@ def _forms(carried: Sequence[Carried], g: str) -> tuple[str, list[str]]:
 
 def _parts(scene: Scene, joint: Joint) -> list[Part]:
     """Return the parts of a string."""
-    places = [(end, end_position(end, scene.level.bodies, scene.values)) for end in points(joint)]
-    return [Part((a, b), (at, to)) for (a, at), (b, to) in pairwise(places)]
+    positions = [
+        (end, end_position(end, scene.level.bodies, scene.values)) for end in points(joint)
+    ]
+    return [Part((a, b), (at, to)) for (a, at), (b, to) in pairwise(positions)]
 
 
 def _upright(scene: Scene, joint: Joint) -> bool:
     """Return whether all parts that end at dynamic bodies are vertical."""
     moves = set(scene.dynamic)
     led = (part for part in _parts(scene, joint) if moves & {body_of(end) for end in part.ends})
-    return all(abs(part.way.real) <= STRAIGHT for part in led)
+    return all(abs(part.direction.real) <= STRAIGHT for part in led)
 
 
 def _carried(scene: Scene, joint: Joint) -> list[Carried]:
@@ -149,14 +151,16 @@ def _one(scene: Scene, joint: Joint, name: str) -> Carried | None:
     """Return a body at rest that a string pulls straight up; None if it does not."""
     below, pull, turn = _below(scene, name, joint), 0j, 0.0
     for part in _parts(scene, joint):
-        for end, at, way in zip(part.ends, part.places, (part.way, -part.way), strict=True):
+        for end, at, direction in zip(
+            part.ends, part.positions, (part.direction, -part.direction), strict=True
+        ):
             if body_of(end) == name:
-                pull += way
-                turn += ((at - scene.where[name].center).conjugate() * way).imag
+                pull += direction
+                turn += ((at - scene.where[name].center).conjugate() * direction).imag
     turns = scene.level.effects.rotation is not None and abs(turn) > STRAIGHT
     if below is None or abs(pull.real) > STRAIGHT or pull.imag <= STRAIGHT or turns:
         return None
-    if not scene.rests(name, *below):
+    if not scene.is_at_rest(name, *below):
         return None
     masses = " + ".join(scene.mass(one) for one in (name, *below))
     return Carried(name, round(pull.imag, ROUND), f"({masses})" if below else masses, below)
@@ -192,13 +196,15 @@ def _hung(scene: Scene, joint: Joint, name: str) -> str | None:
 
 def _until(scene: Scene, joint: Joint, carried: Sequence[Carried]) -> float:
     """Return the time at which a body reaches a peg or another body [s]."""
-    _, moves = _forms(carried, opposite(scene.fall) if scene.fall else "0")
-    rises = {one.name: Expression(a)(scene.known) for one, a in zip(carried, moves, strict=False)}
-    until = [scene.lasts]
+    _, moves = _forms(carried, opposite(scene.gravity_y) if scene.gravity_y else "0")
+    rises = {
+        one.name: Expression(a)(scene.known_values) for one, a in zip(carried, moves, strict=False)
+    }
+    until = [scene.duration]
     for part in _parts(scene, joint):
         lower, upper = (rises.get(body_of(end) or "", 0.0) for end in part.ends)
-        if (closing := (lower - upper) * part.way.imag) > 0:
-            until.append(sqrt(2 * abs(part.places[1] - part.places[0]) / closing))
+        if (closing := (lower - upper) * part.direction.imag) > 0:
+            until.append(sqrt(2 * abs(part.positions[1] - part.positions[0]) / closing))
     moving = {name: rises.get(one.name, 0.0) for one in carried for name in (one.name, *one.below)}
     until += [
         scene.free_until(name, lambda t, a=a: 1j * a * t * t / 2, list(moving))  # type: ignore[misc]

@@ -75,7 +75,7 @@ class Scene:
         return [self, *(Scene(self.level, values) for values in ends)]
 
     @cached_property
-    def known(self) -> Values:
+    def known_values(self) -> Values:
         """The values of parameters and constants, for new formulas."""
         return {**self.values, **{name: c(self.values) for name, c in self.level.constants.items()}}
 
@@ -111,7 +111,7 @@ class Scene:
         return set(self.level.effects.declared) <= set(effects)
 
     @property
-    def fall(self) -> Expression | None:
+    def gravity_y(self) -> Expression | None:
         """The y component of the acceleration of gravity if it points straight down, else None."""
         gravity = self.level.effects.gravity
         if gravity is None or gravity.acceleration[0](self.values) != 0:
@@ -122,50 +122,50 @@ class Scene:
         """Return the mass of a dynamic body, as a formula."""
         mass = self.level.bodies[name].mass
         assert mass is not None
-        return said(mass)
+        return as_factor(mass)
 
     def velocity(self, name: str) -> complex:
         """Return the velocity of a body at the start [m/s]."""
         return complex(*(v(self.values) for v in self.level.bodies[name].velocity))
 
-    def rests(self, *names: str) -> bool:
+    def is_at_rest(self, *names: str) -> bool:
         """Return whether bodies are at rest at the start."""
         bodies = [self.level.bodies[name] for name in names]
         spins = [body.angular_velocity(self.values) for body in bodies]
         return not any(map(self.velocity, names)) and not any(spins)
 
     @property
-    def lasts(self) -> float:
+    def duration(self) -> float:
         """The duration of a run [s]."""
         return self.level.duration(self.values)
 
-    def distance(self, name: str, way: complex, other: str) -> float:
+    def distance(self, name: str, displacement: complex, other: str) -> float:
         """Return the gap between a displaced body and another [m]."""
-        return distance(self.where[name], self.where[other], way)
+        return distance(self.where[name], self.where[other], displacement)
 
     def free_until(
-        self, name: str, way: Callable[[float], complex], besides: Sequence[str] = ()
+        self, name: str, path: Callable[[float], complex], besides: Sequence[str] = ()
     ) -> float:
         """Return the time for which a body can move along a way without meeting another [s].
 
         Other moving bodies are taken at their initial positions. Without contact nothing is met.
         """
         if self.level.effects.contact is None:
-            return self.lasts
+            return self.duration
         solid = (other for other, at in self.where.items() if not at.body.sensor)
         others = [other for other in solid if other not in (name, *besides)]
-        for t in np.linspace(0, self.lasts, SAMPLES)[1:].tolist():
-            if any(self.distance(name, way(t), other) < TOUCHING for other in others):
-                return t - self.lasts / (SAMPLES - 1)
-        return self.lasts
+        for t in np.linspace(0, self.duration, SAMPLES)[1:].tolist():
+            if any(self.distance(name, path(t), other) < TOUCHING for other in others):
+                return t - self.duration / (SAMPLES - 1)
+        return self.duration
 
 
-def moved(core: Core, way: complex) -> Core:
+def displaced(core: Core, displacement: complex) -> Core:
     """Return a displaced core."""
-    return tuple(point + way for point in core)
+    return tuple(point + displacement for point in core)
 
 
-def said(expression: Expression) -> str:
+def as_factor(expression: Expression) -> str:
     """Return a number or a formula as a factor, in brackets if needed: `m`, `2.5`, `(m + 1)`."""
     source = expression.source
     if not isinstance(source, str):
@@ -192,8 +192,8 @@ def check(
     label: str, quantity: str, formula: str, tolerance: float, **more: object
 ) -> dict[str, Any]:
     """Return a check as in a level's file; constant values are written as numbers."""
-    told = {"label": label, "quantity": quantity, "formula": formula, "tolerance": tolerance}
-    return told | {key: _number(value) for key, value in more.items() if value is not None}
+    fields = {"label": label, "quantity": quantity, "formula": formula, "tolerance": tolerance}
+    return fields | {key: _number(value) for key, value in more.items() if value is not None}
 
 
 def _number(value: object) -> object:
@@ -204,6 +204,6 @@ def _number(value: object) -> object:
     return value
 
 
-def rate_of(least: float) -> float:
+def rate_of(lowest: float) -> float:
     """Return the lowest usual rate that is at least a given one, else the highest [Hz]."""
-    return next((rate for rate in RATES if rate >= least), RATES[-1])
+    return next((rate for rate in RATES if rate >= lowest), RATES[-1])

@@ -100,11 +100,11 @@ class Effects(Model):
     def settings(self) -> Iterator[tuple[Effect, Path, Any]]:
         """The settings of each declared effect with their paths; for a list, of each entry."""
         for effect in self.declarations:
-            place, said = ("effects", effect.name), getattr(self, effect.name)
-            if isinstance(said, tuple):
-                yield from ((effect, (*place, index), one) for index, one in enumerate(said))
+            path, declared = ("effects", effect.name), getattr(self, effect.name)
+            if isinstance(declared, tuple):
+                yield from ((effect, (*path, index), one) for index, one in enumerate(declared))
             else:
-                yield effect, place, said
+                yield effect, path, declared
 
 
 EFFECTS: Mapping[str, Effect] = register(Effects)

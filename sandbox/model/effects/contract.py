@@ -141,20 +141,20 @@ def register(manifest: type[Model]) -> Mapping[str, Effect]:
 def _declared(name: str, kind: Any) -> Effect:  # noqa: ANN401 (a type is any object)
     """Return the declaration of an effect, if it is complete."""
     model = next(_models(kind))
-    place = f"the class {model.__name__} in {_file(model)}"
+    class_and_file = f"the class {model.__name__} in {_file(model)}"
     effect = getattr(model, "effect", None)
     if not isinstance(effect, Effect):
-        rule = f"add 'effect: ClassVar[Effect] = Effect(name=\"{name}\", ...)' to {place}"
+        rule = f"add 'effect: ClassVar[Effect] = Effect(name=\"{name}\", ...)' to {class_and_file}"
         raise IncompleteError(f"the effect '{name}' has no declaration: {rule}")
     if effect.name != name:
-        rule = f"{place} says '{effect.name}'"
+        rule = f"{class_and_file} says '{effect.name}'"
         raise IncompleteError(f"'{name}' in the list of effects has another name: {rule}")
     for field in (*effect.strength, *effect.needs, effect.softening):
         if field and field not in model.model_fields:
-            rule = f"{place} has no field '{field}', which its declaration names"
+            rule = f"{class_and_file} has no field '{field}', which its declaration names"
             raise IncompleteError(f"the effect '{name}' is not told in full: {rule}")
     if effect.rotates_velocity and not effect.depends_on_velocity:
-        rule = f"{place} does not say 'book', what becomes of the energy that it takes"
+        rule = f"{class_and_file} does not say 'book', what becomes of the energy that it takes"
         raise IncompleteError(f"the effect '{name}' is not told in full: {rule}")
     return effect
 

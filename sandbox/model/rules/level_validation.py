@@ -37,14 +37,16 @@ is the same on every machine."""
 
 def faults(level: Level) -> list[Fault]:
     """Return all faults of a level; rules that depend on broken ones are skipped."""
-    if found := _most(too_much(level)):
+    if found := _largest_count(too_much(level)):
         return found
     if next(dangling(level), None):
-        return _most(inconsistencies(level))
-    return _most(chain(contradictions(level), _values(level))) or _most(_late(level))
+        return _largest_count(inconsistencies(level))
+    return _largest_count(chain(contradictions(level), _values(level))) or _largest_count(
+        _late(level)
+    )
 
 
-def _most(found: Iterator[Fault]) -> list[Fault]:
+def _largest_count(found: Iterator[Fault]) -> list[Fault]:
     return list(islice(found, MAX_MISTAKES + 1))
 
 
@@ -102,8 +104,8 @@ def _values(level: Level) -> Iterator[Fault]:
         for values in tried(condition.names, min(max(most, FEWEST), MAX_CORNERS)):
             if rule := condition.fault(values):
                 used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(condition.names))
-                told = Message("{rule} when {used}", rule=rule, used=used) if used else rule
-                yield Fault(condition.path, told)
+                reported = Message("{rule} when {used}", rule=rule, used=used) if used else rule
+                yield Fault(condition.path, reported)
                 break
 
 

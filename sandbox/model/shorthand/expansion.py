@@ -27,7 +27,7 @@ class WrittenOut(NamedTuple):
     faults: list[Fault]
     """The mistakes in the shorthand, with their paths in the text."""
 
-    def place(self, path: Path) -> Path:
+    def path_in_text(self, path: Path) -> Path:
         """Return the path in the text of a part at a path in the data."""
         return followed(followed(path, self.placed), self.typed)
 
@@ -36,7 +36,7 @@ class WrittenOut(NamedTuple):
         unknown = _UNKNOWN.match(fault.rule)
         if not (unknown and self.typed):
             return fault
-        path, part = self.place(fault.path), typed
+        path, part = self.path_in_text(fault.path), typed
         for step in path[:-1]:
             if not _has(part, step):
                 break

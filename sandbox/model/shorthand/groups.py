@@ -195,14 +195,14 @@ def _keys_within(bodies: Any) -> dict[str, str]:  # noqa: ANN401 (whatever JSON 
     return {key: name for name, body in named if isinstance(body, dict) for key in body}
 
 
-def _is_number(said: object) -> bool:
-    if isinstance(said, bool) or not isinstance(said, int | float | str):
+def _is_number(value: object) -> bool:
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
         return False
-    return isinstance(said, str) or abs(said) <= LARGEST
+    return isinstance(value, str) or abs(value) <= LARGEST
 
 
-def _is_point(said: object) -> bool:
-    return isinstance(said, list) and len(said) == 2 and all(map(_is_number, said))
+def _is_point(value: object) -> bool:
+    return isinstance(value, list) and len(value) == 2 and all(map(_is_number, value))
 
 
 class _Names(NamedTuple):
@@ -311,6 +311,6 @@ def _times(a: Number, b: Number) -> Number:
     return a * b
 
 
-def _bracketed(said: Number) -> str:
-    text = str(said)
+def _bracketed(number: Number) -> str:
+    text = str(number)
     return text if text.isidentifier() or text.isdecimal() else f"({text})"

@@ -42,7 +42,7 @@ def _shown(number: int) -> str:
 def _number(source: str, indices: Indices) -> int:
     if source in indices:  # the usual case
         return int(indices[source])
-    said = f"'{{{brief(source)}}}'"
+    quoted = f"'{{{brief(source)}}}'"
     try:
         expression = Expression(source)
         if unknown := expression.names - indices.keys():
@@ -51,29 +51,31 @@ def _number(source: str, indices: Indices) -> int:
             raise IndexFault(
                 Message(
                     "{said} may use only indices, and '{name}' is not one{hint}",
-                    said=said,
+                    said=quoted,
                     name=name,
                     hint=hint,
                 )
             )
         value = expression(indices)
     except ExpressionError as error:
-        raise IndexFault(Message("{said}: {error}", said=said, error=error.message)) from None
+        raise IndexFault(Message("{said}: {error}", said=quoted, error=error.message)) from None
     if not value.is_integer():
-        raise IndexFault(Message("{said} is {value:g}, not a whole number", said=said, value=value))
+        raise IndexFault(
+            Message("{said} is {value:g}, not a whole number", said=quoted, value=value)
+        )
     return int(value)
 
 
-def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indices]:  # noqa: ANN401 (whatever JSON holds)
+def runs(repeat: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indices]:  # noqa: ANN401 (whatever JSON holds)
     """Yield the indices of every copy, the last index varying fastest.
 
     The value of `repeat` is the range of each index, which may depend on earlier ones. The notes
     receive mistakes; after one, nothing more is yielded.
     """
-    if not isinstance(said, dict) or not said:
+    if not isinstance(repeat, dict) or not repeat:
         notes.refuse(path, Message("must name an index and its range: {how}", how=HOW))
         return
-    yield from _nested(list(said.items()), path, indices, notes)
+    yield from _nested(list(repeat.items()), path, indices, notes)
 
 
 def _nested(
@@ -83,14 +85,14 @@ def _nested(
         yield indices
         return
     (name, bounds), *rest = left
-    place = (*path, name)
+    path_of_index = (*path, name)
     if rule := _misnamed(name, indices):
-        notes.refuse(place, rule)
+        notes.refuse(path_of_index, rule)
         return
     try:
         first, last = _bounds(bounds, indices)
     except IndexFault as fault:
-        notes.refuse(place, fault.message)
+        notes.refuse(path_of_index, fault.message)
         return
     for index in range(first, last + 1):
         notes.charge(0, path)
@@ -112,12 +114,12 @@ def _misnamed(name: str, indices: Indices) -> Message:
     return NOTHING
 
 
-def _bounds(said: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (whatever JSON holds)
+def _bounds(bounds: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (whatever JSON holds)
     """Return the first and the last value of an index."""
-    if isinstance(said, list) and len(said) == 2:
-        first, last = (_whole(bound, indices) for bound in said)
+    if isinstance(bounds, list) and len(bounds) == 2:
+        first, last = (_whole_number(bound, indices) for bound in bounds)
     else:
-        first, last = 0, _whole(said, indices) - 1
+        first, last = 0, _whole_number(bounds, indices) - 1
     if max(abs(first), abs(last)) > 2 * MOST_TIMES or last - first >= MOST_TIMES:
         raise IndexFault(Message("counts too far, beyond {most:,}", most=MOST_TIMES))
     if last < first - 1:
@@ -127,14 +129,14 @@ def _bounds(said: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (wh
     return first, last
 
 
-def _whole(said: Any, indices: Indices) -> int:  # noqa: ANN401 (whatever JSON holds)
+def _whole_number(value: Any, indices: Indices) -> int:  # noqa: ANN401 (whatever JSON holds)
     """Return a whole number, which may be an expression in braces."""
-    if isinstance(said, str) and (braces := _BRACES.fullmatch(said.strip())):
+    if isinstance(value, str) and (braces := _BRACES.fullmatch(value.strip())):
         return _number(braces[1], indices)
-    if isinstance(said, bool) or not isinstance(said, int):
+    if isinstance(value, bool) or not isinstance(value, int):
         raise IndexFault(
             Message(
                 "must be {how}: whole numbers, or expressions over other indices in braces", how=HOW
             )
         )
-    return said
+    return value

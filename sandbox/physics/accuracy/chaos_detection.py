@@ -51,17 +51,17 @@ def _growth(run: Trace, stop: Stop) -> list[float]:
     They end where it has grown far enough to be examined, or where the other run has to stop.
     """
     grown: list[float] = []
-    places = [
+    positions = [
         ((row, axis), column)
         for row, name in enumerate(run.level.bodies)
         for axis, letter in enumerate("xy")
         if (column := run.columns.get(f"{name}.position.{letter}")) is not None
     ]
     name = next((n for n, body in run.level.bodies.items() if body.type == "dynamic"), None)
-    if name is None or not places:
+    if name is None or not positions:
         return grown
-    rows, axes = np.transpose([place for place, _ in places])
-    recorded = np.array([column for _, column in places]).T
+    rows, axes = np.transpose([position for position, _ in positions])
+    recorded = np.array([column for _, column in positions]).T
     try:
         other = make_world(run.level, run.values, run.stepping)
         x, y = other.snapshot.position[list(run.level.bodies).index(name)]

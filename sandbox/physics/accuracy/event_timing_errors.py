@@ -97,8 +97,8 @@ def onsets(trace: Trace, watched_items: Sequence[Watched], rate: float, error: f
     """
     known = {item.quantity: item for item in velocities(trace, watched_items)}
     times, items, needed = set[float](), [], 0.0
-    for place, motion in _motions(trace, watched_items):
-        item = known.get(place.rates[0]) if place.rates else None
+    for coordinate, motion in _motions(trace, watched_items):
+        item = known.get(coordinate.rates[0]) if coordinate.rates else None
         if item is None:
             continue
         rates = motion.changes / 2 / (error * error_scale(item.scale, 0.0))

@@ -71,15 +71,14 @@ def trust_of(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trus
             largest, unit = item_scale(finer, item), found.unit
             unseen = hidden_error(finer, [item]).error * unit
             until = departure(run, finer, item, SEEN)
-            order = (
-                found.order if found.absolute[-2] >= unseen else 1.0
-            )  # an impact is late by a step
+            # an impact is late by a step
+            order = found.order if found.absolute[-2] >= unseen else 1.0
             yield Trust(item.quantity, largest, max(found.absolute[-2], unseen), until, order)
 
 
 def least_known(found: Iterable[Trust]) -> Trust | None:
     """Return the position that can be trusted least, ignoring those that hardly leave zero."""
-    places = [trust for trust in found if ".position." in trust.quantity]
-    largest = max((place.size for place in places), default=0.0)
-    far = [place for place in places if place.size > LITTLE * largest]
-    return max(far, key=lambda place: place.off / place.size, default=None)
+    positions = [trust for trust in found if ".position." in trust.quantity]
+    largest = max((position.size for position in positions), default=0.0)
+    moving = [position for position in positions if position.size > LITTLE * largest]
+    return max(moving, key=lambda place: place.off / place.size, default=None)

@@ -122,9 +122,8 @@ def advise(
     remedies = [*_higher_rates(error, level, values, stepping), *_other_remedies(level, stepping)]
     for i, (description, changed, with_, rate) in enumerate(remedies):
         left = len(remedies) - i
-        time_share = (
-            (deadline - process_time()) / left * 2
-        )  # early stops leave more time to the others
+        # early stops leave more time to the others
+        time_share = (deadline - process_time()) / left * 2
         until = min(deadline, process_time() + time_share)
         trial = attempt(description, changed or level, with_, rate, until=until)
         if not (trial.has_stopped or trial.is_slow):

@@ -165,10 +165,10 @@ class Ledger:
         self._push(float(self._end.t), self._step.dt / 2, self._end, self._velocity)
         self._composed = False
 
-    def _push(self, t: float, length: float, seen: Instant, after: Array) -> None:
+    def _push(self, t: float, length: float, start: Instant, after: Array) -> None:
         """Book a kick in which only laws and joints act, up to the velocities `after`, (n, 3)."""
-        before, inertia = velocity_of(seen), self._mechanics.inertia(t)
-        kick = KickRecord(t, length, seen, seen.position, (before + after) / 2, inertia)
+        before, inertia = velocity_of(start), self._mechanics.inertia(t)
+        kick = KickRecord(t, length, start, start.position, (before + after) / 2, inertia)
         laws = sum(
             (self._attribution.book_law(law, kick) for law in self._laws), np.zeros_like(after)
         )
@@ -309,14 +309,14 @@ class Ledger:
         self._joint_forces = held, last
         self._was_slack = held.among(last.numbered(self._was_slack))
 
-    def _set_mid_drift(self, begun: Array, lifted: float) -> None:
+    def _set_mid_drift(self, kick_velocity: Array, energy_shift: float) -> None:
         """Set the motion in the middle of the last drift as if the drift had not been cut.
 
         The difference in energy there is attributed to the start of the books.
         """
-        self._end = self._motion_at(-0.5, begun)
+        self._end = self._motion_at(-0.5, kick_velocity)
         energy, momentum_then = self._start
-        self._start = energy + lifted, momentum_then
+        self._start = energy + energy_shift, momentum_then
 
     def _book_overlap_correction(self, drifted: Array) -> None:
         """Add the energy from the correction of overlaps, which moved bodies after their drift."""

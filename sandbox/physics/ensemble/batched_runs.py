@@ -36,22 +36,22 @@ Stop = Callable[[Mapping[str, Array], Array, World], int | None]
 """Returns the row, among some instants, at which a run is over; None if it goes on."""
 
 
-def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
+def can_be_batched(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
     """Return whether runs that measure quantities may share a batch, judging by the level."""
-    still = all(body.type != "kinematic" for body in level.bodies.values())
+    no_motions = all(body.type != "kinematic" for body in level.bodies.values())
     simple = stepping.scheme == "leapfrog" and set(level.effects.declared) <= _EFFECTS
-    calm = still and not level.has_events
-    return simple and calm and all(_known(quantity(name, level)) for name in names)
+    no_events = no_motions and not level.has_events
+    return simple and no_events and all(_is_available(quantity(name, level)) for name in names)
 
 
 _EFFECTS = {"gravity", "rotation"}
 
 
-def _known(name: Quantity) -> bool:
+def _is_available(name: Quantity) -> bool:
     return name.is_momentary and name.attribute not in _UNKNOWN
 
 
-def accepts(world: World) -> bool:
+def can_join(world: World) -> bool:
     """Return whether a world may be in a batch: all its joints are lengths, solved together."""
     joints = world.scene.joints
     others = joints.strings or joints.own or joints.springs or joints.wires
@@ -64,7 +64,7 @@ class BatchedRun:
 
     trace: Trace | None
     """The recorded run; None if it must be run alone."""
-    stopped: bool
+    has_stopped: bool
     """Whether a condition ended it."""
 
 
@@ -86,74 +86,74 @@ class BatchStepper:
             [{n: np.atleast_1d(c) for n, c in meter(world.snapshot).items()}]
             for meter, world in zip(self._meters, worlds, strict=True)
         ]
-        self._found: list[BatchedRun | None] = [None] * len(worlds)
-        self._flying = np.arange(len(worlds))
+        self._finished: list[BatchedRun | None] = [None] * len(worlds)
+        self._running = np.arange(len(worlds))
         state = np.array([world.scene.batch.state() for world in worlds])
-        self._place, self._velocity = state[:, :, :3].copy(), state[:, :, 3:].copy()
-        self._moves = np.array([world.scene.mass > 0 for world in worlds])
+        self._pose, self._velocity = state[:, :, :3].copy(), state[:, :, 3:].copy()
+        self._is_movable = np.array([world.scene.mass > 0 for world in worlds])
         self._kick = np.array([_gravity(world) for world in worlds]) * self._dt
-        self._kick = np.where(self._moves[:, :, None], self._kick[:, None], 0.0)
+        self._kick = np.where(self._is_movable[:, :, None], self._kick[:, None], 0.0)
         together = [j for world in worlds if (j := world.scene.joints.together)]
         self._joints = ManyJoints(together, self._dt) if together else None
         self._energies = _Energies(worlds)
 
-    def fly(self) -> list[BatchedRun]:
+    def run(self) -> list[BatchedRun]:
         """Run all worlds to their ends."""
         taken = 0
         with np.errstate(all="ignore"):  # runs with non-finite values are run alone
-            while len(self._flying):
-                count = int(min(CHUNK, self._steps[self._flying].max() - taken))
-                doubted = self._chunk(taken, count) if count else None
+            while len(self._running):
+                count = int(min(CHUNK, self._steps[self._running].max() - taken))
+                uncertain = self._chunk(taken, count) if count else None
                 taken += count
-                self._sort_out(taken, doubted)
-        return [flown or BatchedRun(None, stopped=False) for flown in self._found]
+                self._store_finished(taken, uncertain)
+        return [outcome or BatchedRun(None, has_stopped=False) for outcome in self._finished]
 
     def _chunk(self, taken: int, count: int) -> Booleans:
         """Take a number of steps, measure them, and return which runs must be run alone: (N,)."""
-        shape = len(self._flying), count, self._place.shape[1], 3
-        place, velocity, acceleration = np.empty(shape), np.empty(shape), np.empty(shape)
-        doubted = np.zeros(len(self._flying), dtype=bool)
+        shape = len(self._running), count, self._pose.shape[1], 3
+        pose, velocity, acceleration = np.empty(shape), np.empty(shape), np.empty(shape)
+        uncertain = np.zeros(len(self._running), dtype=bool)
         for i in range(count):
             before = self._velocity
-            doubted |= self._step()
-            place[:, i] = self._place
+            uncertain |= self._step()
+            pose[:, i] = self._pose
             velocity[:, i] = (before + self._velocity) / 2
             acceleration[:, i] = (self._velocity - before) / self._dt
-        doubted |= self._energies.doubt(self._flying, place, velocity)
+        uncertain |= self._energies.uncertain(self._running, pose, velocity)
         t = self._times(taken + 1, taken + count)
-        for at, run in enumerate(self._flying):
-            columns = _measured(self._meters[run], t, place[at], velocity[at], acceleration[at])
+        for at, run in enumerate(self._running):
+            columns = _measured(self._meters[run], t, pose[at], velocity[at], acceleration[at])
             self._columns[run].append(columns)
-        return doubted
+        return uncertain
 
     def _step(self) -> Booleans | bool:
         """Take a step, and return which runs must be repeated alone: (N,)."""
-        self._place = self._place + self._velocity * self._dt
+        self._pose = self._pose + self._velocity * self._dt
         velocity = self._velocity.copy()
         velocity[:, :, :2] = velocity[:, :, :2] + self._kick
         if self._joints is None:
             self._velocity = velocity
             return False
-        self._velocity, doubted = self._joints.solve(self._place, velocity)
-        return doubted
+        self._velocity, uncertain = self._joints.solve(self._pose, velocity)
+        return uncertain
 
-    def _sort_out(self, taken: int, doubted: Booleans | None) -> None:
+    def _store_finished(self, taken: int, uncertain: Booleans | None) -> None:
         """Store the runs that are over, and keep the others."""
-        going = np.ones(len(self._flying), dtype=bool)
-        for at, run in enumerate(self._flying):
-            if doubted is not None and doubted[at]:
-                self._found[run], going[at] = BatchedRun(None, stopped=False), False
-            elif flown := self._ended(int(run), taken):
-                self._found[run], going[at] = flown, False
+        going = np.ones(len(self._running), dtype=bool)
+        for at, run in enumerate(self._running):
+            if uncertain is not None and uncertain[at]:
+                self._finished[run], going[at] = BatchedRun(None, has_stopped=False), False
+            elif outcome := self._outcome(int(run), taken):
+                self._finished[run], going[at] = outcome, False
         if going.all():
             return
-        self._flying = self._flying[going]
-        self._place, self._velocity = self._place[going], self._velocity[going]
+        self._running = self._running[going]
+        self._pose, self._velocity = self._pose[going], self._velocity[going]
         self._kick = self._kick[going]
         if self._joints:
             self._joints.keep(going)
 
-    def _ended(self, run: int, taken: int) -> BatchedRun | None:
+    def _outcome(self, run: int, taken: int) -> BatchedRun | None:
         """Return the outcome of a run; None if it has not ended."""
         parts, world = self._columns[run], self._worlds[run]
         if self._stop and len(parts) > 1:
@@ -161,10 +161,10 @@ class BatchStepper:
             t = self._times(taken - len(next(iter(last.values()))) + 1, taken)
             at = self._stop(last, t, world)
             if at is not None and (end := taken - len(t) + at + 1) <= self._steps[run]:
-                return BatchedRun(self._trace(run, end), stopped=True)
+                return BatchedRun(self._trace(run, end), has_stopped=True)
         if taken < self._steps[run]:
             return None
-        return BatchedRun(self._trace(run, int(self._steps[run])), stopped=False)
+        return BatchedRun(self._trace(run, int(self._steps[run])), has_stopped=False)
 
     def _times(self, first: int, last: int) -> Array:
         """Return the times of some steps, as a world counts them [s]."""
@@ -186,20 +186,21 @@ class _Energies:
         self._mass = np.array([world.scene.mass for world in worlds])
         self._moment = np.array([world.scene.moment for world in worlds])
         self._gravity = np.array([_gravity(world) for world in worlds])
-        self._least, self._lowest = np.full(len(worlds), np.inf), np.full(len(worlds), np.inf)
+        self._min_energy = np.full(len(worlds), np.inf)
+        self._min_potential = np.full(len(worlds), np.inf)
 
-    def doubt(self, runs: Integers, place: Array, velocity: Array) -> Booleans:
+    def uncertain(self, runs: Integers, pose: Array, velocity: Array) -> Booleans:
         """Return which runs must be run alone, (N,), given arrays (N, T, n, 3)."""
         mass, moment = self._mass[runs, None], self._moment[runs, None]
-        fall = np.einsum("ntbc,nc->ntb", place[..., :2], self._gravity[runs])
-        stored = -(mass * fall).sum(axis=-1)
-        motion = Instant.at(0.0, place, velocity)
-        energy = stored + kinetic_energy(mass, moment, motion).sum(axis=-1)
-        self._least[runs] = np.minimum(self._least[runs], energy.min(axis=1))
-        self._lowest[runs] = np.minimum(self._lowest[runs], stored.min(axis=1))
-        there_was = self._least[runs] - self._lowest[runs]
-        calm = energy.max(axis=1) - self._least[runs] <= DOUBTED * there_was
-        return ~(calm & np.isfinite(energy).all(axis=1))
+        fall = np.einsum("ntbc,nc->ntb", pose[..., :2], self._gravity[runs])
+        potential = -(mass * fall).sum(axis=-1)
+        motion = Instant.at(0.0, pose, velocity)
+        energy = potential + kinetic_energy(mass, moment, motion).sum(axis=-1)
+        self._min_energy[runs] = np.minimum(self._min_energy[runs], energy.min(axis=1))
+        self._min_potential[runs] = np.minimum(self._min_potential[runs], potential.min(axis=1))
+        available = self._min_energy[runs] - self._min_potential[runs]
+        is_bounded = energy.max(axis=1) - self._min_energy[runs] <= DOUBTED * available
+        return ~(is_bounded & np.isfinite(energy).all(axis=1))
 
 
 def _gravity(world: World) -> tuple[float, float]:
@@ -208,16 +209,16 @@ def _gravity(world: World) -> tuple[float, float]:
 
 
 def _measured(
-    meter: Meter, t: Array, place: Array, velocity: Array, acceleration: Array
+    meter: Meter, t: Array, pose: Array, velocity: Array, acceleration: Array
 ) -> dict[str, Array]:
     """Return the quantities at T instants of one run, given arrays (T, n, 3)."""
-    nothing = np.zeros(place.shape[:2])
+    nothing = np.zeros(pose.shape[:2])
     none = np.zeros((len(t), 0))
     return meter(
         Snapshot(
             t=t,
-            position=place[..., :2],
-            angle=place[..., 2],
+            position=pose[..., :2],
+            angle=pose[..., 2],
             velocity=velocity[..., :2],
             angular_velocity=velocity[..., 2],
             acceleration=acceleration[..., :2],

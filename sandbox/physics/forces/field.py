@@ -57,10 +57,10 @@ class Field:
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add F on each body."""
         bodies, weight = self.on.bodies, self.on.at(motion.t)
-        place, velocity = motion.position[..., bodies, :], motion.velocity[..., bodies, :]
+        position, velocity = motion.position[..., bodies, :], motion.velocity[..., bodies, :]
         seen = {
-            "x": place[..., 0],
-            "y": place[..., 1],
+            "x": position[..., 0],
+            "y": position[..., 1],
             "vx": velocity[..., 0],
             "vy": velocity[..., 1],
             "t": np.asarray(motion.t)[..., None],

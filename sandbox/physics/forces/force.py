@@ -65,9 +65,9 @@ class Steady:
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return −F · r, with r the points on which the forces act."""
-        place, angle = motion.position[..., self.bodies, :], motion.angle[..., self.bodies]
+        position, angle = motion.position[..., self.bodies, :], motion.angle[..., self.bodies]
         energy = np.zeros(motion.position.shape[:-1])
-        energy[..., self.bodies] = -np.sum(self.force * place, axis=-1)
+        energy[..., self.bodies] = -np.sum(self.force * position, axis=-1)
         energy[..., self.bodies] -= self.dot * np.cos(angle) + self.cross * np.sin(angle)
         return energy
 

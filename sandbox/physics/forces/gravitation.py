@@ -21,10 +21,10 @@ AT_ONCE = 15_000
 class Block(NamedTuple):
     """Some bodies, and all that attract them, except those of earlier blocks."""
 
-    some: slice
+    rows: slice
     others: slice
     """The bodies, and these with all that follow."""
-    ways: tuple[Array, Array]
+    offsets: tuple[Array, Array]
     """(..., some, others) each, the x and y components from the first to the second [m]."""
 
     def add(self, to: Array, mass: Array, of_pairs: Array, sign: int) -> None:
@@ -33,10 +33,10 @@ class Block(NamedTuple):
         Sums and masses are those of all bodies, (..., k, 1), the values those of pairs, (..., some,
         others).
         """
-        to[..., self.some, :] += mass[..., self.some, :] * (of_pairs @ mass[..., self.others, :])
-        later = slice(self.some.stop, self.others.stop)
+        to[..., self.rows, :] += mass[..., self.rows, :] * (of_pairs @ mass[..., self.others, :])
+        later = slice(self.rows.stop, self.others.stop)
         if later.start < later.stop:
-            back = of_pairs[..., self.some.stop - self.some.start :].mT @ mass[..., self.some, :]
+            back = of_pairs[..., self.rows.stop - self.rows.start :].mT @ mass[..., self.rows, :]
             to[..., later, :] += sign * mass[..., later, :] * back
 
 
@@ -69,9 +69,9 @@ class Gravitation:
             weight = np.sqrt(square)
             weight *= square
             np.divide(self.constant, weight, out=weight)
-            for pull, way in zip(force, block.ways, strict=True):
-                way *= weight
-                block.add(pull, mass, way, -1)
+            for component, offset in zip(force, block.offsets, strict=True):
+                offset *= weight
+                block.add(component, mass, offset, -1)
         wrench[..., self._rows, :2] += np.concatenate(force, axis=-1)
 
     def potential_energy(self, motion: Motion) -> Array:
@@ -86,12 +86,15 @@ class Gravitation:
 
     def _blocks(self, motion: Motion) -> Iterator[tuple["Block", Array]]:
         """Yield blocks that together contain each pair once, with s² of their pairs."""
-        places = np.ascontiguousarray(np.moveaxis(motion.position[..., self._rows, :], -1, 0))
+        positions = np.ascontiguousarray(np.moveaxis(motion.position[..., self._rows, :], -1, 0))
         count, stop = len(self.bodies), 0
         while (start := stop) < count:
-            rows = max(AT_ONCE // max(places[0][..., start:].size, 1), 1)
+            rows = max(AT_ONCE // max(positions[0][..., start:].size, 1), 1)
             stop = min(start + rows, count)
-            x, y = (place[..., None, start:] - place[..., start:stop, None] for place in places)
+            x, y = (
+                position[..., None, start:] - position[..., start:stop, None]
+                for position in positions
+            )
             square = x * x
             square += y * y
             square += self.softening**2

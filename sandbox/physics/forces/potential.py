@@ -33,20 +33,20 @@ class Potential:
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add −∇U on each body."""
-        place, weight = self._place(motion), self.on.at(motion.t)
+        position, weight = self._position(motion), self.on.at(motion.t)
         for axis, slope in enumerate(self._slopes):
-            wrench[..., self.on.bodies, axis] -= weight * slope.at(self.values, place)
+            wrench[..., self.on.bodies, axis] -= weight * slope.at(self.values, position)
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return the potential energy U of each body."""
         stored = np.zeros(motion.position.shape[:-1])
-        found = self.energy.at(self.values, self._place(motion))
+        found = self.energy.at(self.values, self._position(motion))
         stored[..., self.on.bodies] = self.on.at(motion.t) * found
         return stored
 
-    def _place(self, motion: Motion) -> dict[str, Array]:
-        place = motion.position[..., self.on.bodies, :]
-        return {"x": place[..., 0], "y": place[..., 1]}
+    def _position(self, motion: Motion) -> dict[str, Array]:
+        position = motion.position[..., self.on.bodies, :]
+        return {"x": position[..., 0], "y": position[..., 1]}
 
 
 def laws(entries: Sequence[declared.Potential], inputs: LawInputs) -> Iterator[Law]:

@@ -129,7 +129,7 @@ def verdict(one: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Verdi
 
 def relative_velocity(
     found: Touch,
-    places: tuple[Placed, Placed],
+    poses: tuple[Placed, Placed],
     motions: tuple[Motion, Motion],
     drift: float,
     before: float | None,
@@ -141,21 +141,22 @@ def relative_velocity(
     velocities before and after a kick are along two chords, and their mean is tangential. The
     change of the tangential velocity in a kick is predicted from the last kick.
 
-    `places` and `motions` are those of the arc's body and of the other. `before` is the velocity
+    `poses` and `motions` are those of the arc's body and of the other. `before` is the velocity
     along the arc a step ago [m/s]; None if the body did not follow the arc then.
     """
-    (pose, other_pose), (rates, moves) = places, motions
+    (pose, other_pose), (rates, moves) = poses, motions
     offset = to_plane(other_pose, found.point) - to_plane(pose, found.arc.center)
     center, point = pose[1] * found.arc.center, other_pose[1] * found.point
     velocity = (moves[0] + 1j * moves[1] * point) - (rates[0] + 1j * rates[1] * center)
     bends = (rates[1] ** 2 * center - moves[1] ** 2 * point) * (drift / 2)
-    out, far = offset / abs(offset), abs(offset)
+    out, distance = offset / abs(offset), abs(offset)
     along = dot(velocity + bends, 1j * out)
-    moved = min(abs(along if before is None else 2 * along - before) * drift, far)
-    back = moved * moved / (far + sqrt(far * far - moved * moved))
-    nearer = min(max(KEPT - found.depth, 0.0) * SOON, back)
-    comes, apart = found.sign * dot(velocity, out), found.sign * (back / drift + dot(bends, out))
-    return RelativeVelocity(comes, apart - nearer / drift, along)
+    slid = min(abs(along if before is None else 2 * along - before) * drift, distance)
+    outwards = slid * slid / (distance + sqrt(distance * distance - slid * slid))
+    nearer = min(max(KEPT - found.depth, 0.0) * SOON, outwards)
+    comes = found.sign * dot(velocity, out)
+    leaving = found.sign * (outwards / drift + dot(bends, out))
+    return RelativeVelocity(comes, leaving - nearer / drift, along)
 
 
 def _is_side(piece: Piece) -> bool:

@@ -36,21 +36,21 @@ scene needs each several times, and each takes some 0.5 MB."""
 
 def course_of(curve: Curve, values: Values) -> Course:
     """Return the course of a curve, in the axes of its body."""
-    chosen = tuple(values[name] for name in sorted(names_in(curve) - {"s"}))
-    before, course = _COURSES.get(curve, (None, None))
-    if course is None or chosen != before:
+    key = tuple(values[name] for name in sorted(names_in(curve) - {"s"}))
+    old_key, course = _COURSES.get(curve, (None, None))
+    if course is None or key != old_key:
         course = Course(along(curve, values))
-        _COURSES[curve] = chosen, course
+        _COURSES[curve] = key, course
     return course
 
 
-def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
+def verdict(one: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Verdict:
     """Return the contact of two shapes, placed there, that overlap according to pymunk."""
     if one.curve:
-        return _touch(one.curve, other, at, there)
+        return _touch(one.curve, other, pose, other_pose)
     if other.curve:
-        return _touch(other.curve, one, there, at)
-    return arc_contacts.verdict(one, other, at, there)
+        return _touch(other.curve, one, other_pose, pose)
+    return arc_contacts.verdict(one, other, pose, other_pose)
 
 
 def closest_circle(foot: CurvePoint, half: float, body: int) -> Arc:
@@ -60,53 +60,58 @@ def closest_circle(foot: CurvePoint, half: float, body: int) -> Arc:
     return Arc(body, center, radius, radius - half, radius + half, 1 + 0j, -2.0)
 
 
-def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
-    core = [(to_plane(there, corner) - at[0]) / at[1] for corner in other.core]
+def _touch(side: Side, other: Piece, pose: Placed, other_pose: Placed) -> Verdict:
+    core = [(to_plane(other_pose, corner) - pose[0]) / pose[1] for corner in other.core]
     middle = mean(core)
     if other.corner is None and len(core) > 1:
-        return _flat(side, other, core, at)
-    point = middle if other.corner is None else (to_plane(there, other.corner) - at[0]) / at[1]
-    near, knot = side.course.nearest_knot(point, side.stretch)
+        return _flat(side, other, core, pose)
+    point = (
+        middle if other.corner is None else (to_plane(other_pose, other.corner) - pose[0]) / pose[1]
+    )
+    knot_index, knot = side.course.nearest_knot(point, side.stretch)
     if _is_far(side, other.radius, point - knot, middle - point):
         return False
-    foot = side.course.foot_point(point, side.stretch, near)
+    foot = side.course.foot_point(point, side.stretch, knot_index)
     if foot is None:
         return False
     left = 1j * foot.tangent
-    hand = 1 if dot(middle - foot.point, left) >= 0 else -1
-    apart = hand * dot(point - foot.point, left)
-    depth = side.half + other.radius - apart
+    sign = 1 if dot(middle - foot.point, left) >= 0 else -1
+    distance = sign * dot(point - foot.point, left)
+    depth = side.half + other.radius - distance
     if depth <= 0 or (other.corner is not None and depth > abs(middle - point) + other.radius):
         return False
-    inside = hand * foot.curvature > 0
-    center = apart * abs(foot.curvature) > 1 - CENTRED if inside else False
+    inside = sign * foot.curvature > 0
+    center = distance * abs(foot.curvature) > 1 - CENTRED if inside else False
     return Touch(
         arc=closest_circle(foot, side.half, side.body),
         body=other.body,
         point=other.core[0] if other.corner is None else other.corner,
         radius=other.radius,
         depth=depth,
-        normal=hand * left * at[1],
-        on_arc=to_plane(at, foot.point + hand * left * side.half),
-        on_other=to_plane(at, point - hand * left * other.radius),
+        normal=sign * left * pose[1],
+        on_arc=to_plane(pose, foot.point + sign * left * side.half),
+        on_other=to_plane(pose, point - sign * left * other.radius),
         sign=0 if center else 1 if inside else -1,
     )
 
 
-def _is_far(side: Side, radius: float, way: complex, inwards: complex) -> bool:
+def _is_far(side: Side, radius: float, offset: complex, to_middle: complex) -> bool:
     """Return whether a point is surely too far from a stretch to touch it, without its foot point.
 
-    `way` and `inwards` lead from the nearest knot to the point, and on to its shape's middle [m].
+    `offset` and `to_middle` lead from the nearest knot to the point, and on to its shape's middle
+    [m].
     """
-    far, spacing = abs(way), side.course.spacing
-    least = far - spacing
-    if least <= side.half + radius:
+    distance, spacing = abs(offset), side.course.spacing
+    least_distance = distance - spacing
+    if least_distance <= side.half + radius:
         return False
-    turned = 2 * spacing / far  # the largest angle between the vectors from foot and knot
-    return least + dot(inwards, way) / far > abs(inwards) * turned  # both are on the same side
+    # the largest angle between the vectors from foot and knot
+    largest_turn = 2 * spacing / distance
+    # whether both are on the same side
+    return least_distance + dot(to_middle, offset) / distance > abs(to_middle) * largest_turn
 
 
-def _flat(side: Side, other: Piece, core: list[complex], at: Placed) -> Verdict:
+def _flat(side: Side, other: Piece, core: list[complex], pose: Placed) -> Verdict:
     """Return the contact of a shape's straight sides with a stretch, from outside."""
     best: Touch | None = None
     for a, b in _edges(core):
@@ -115,20 +120,20 @@ def _flat(side: Side, other: Piece, core: list[complex], at: Placed) -> Verdict:
         if foot is None:
             continue
         depth = side.half + other.radius - dot(foot.point - a, out)
-        wide = max(DEEP * max(dot(a - c, out) for c in core), THIN / abs(foot.curvature))
-        share = dot(foot.point - a, b - a)
-        beside = 0 < share < dot(b - a, b - a)
-        if beside and 0 < depth < wide and (best is None or depth < best.depth):
-            on_other = a + (b - a) * share / dot(b - a, b - a) + out * other.radius
+        deepest = max(DEEP * max(dot(a - c, out) for c in core), THIN / abs(foot.curvature))
+        projection = dot(foot.point - a, b - a)
+        beside = 0 < projection < dot(b - a, b - a)
+        if beside and 0 < depth < deepest and (best is None or depth < best.depth):
+            on_other = a + (b - a) * projection / dot(b - a, b - a) + out * other.radius
             best = Touch(
                 arc=closest_circle(foot, side.half, side.body),
                 body=other.body,
                 point=0j,
                 radius=other.radius,
                 depth=depth,
-                normal=-out * at[1],
-                on_arc=to_plane(at, foot.point - out * side.half),
-                on_other=to_plane(at, on_other),
+                normal=-out * pose[1],
+                on_arc=to_plane(pose, foot.point - out * side.half),
+                on_other=to_plane(pose, on_other),
                 sign=0,
             )
     return best or False

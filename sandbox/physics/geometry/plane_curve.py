@@ -229,25 +229,26 @@ def _cuts(bends: np.ndarray, turns: np.ndarray) -> list[int]:
     at the maxima, where the curvature changes sign, and after each turn by `TURN`.
     """
     cuts, turned = [0], 0.0
-    most, least = 0, abs(bends[0])  # since the last cut: knot of most curvature, least curvature
+    # since the last cut: the knot of the largest curvature, and the smallest curvature
+    sharpest, least_curvature = 0, abs(bends[0])
     rising = False
     for knot in range(1, len(bends)):
         size = abs(bends[knot])
         turned += turns[knot - 1]
-        if size > RISES * least:
+        if size > RISES * least_curvature:
             rising = True
-        if size > abs(bends[most]):
-            most = knot
+        if size > abs(bends[sharpest]):
+            sharpest = knot
         cut = None
         if bends[knot] * bends[knot - 1] < 0:
             cut = knot
-        elif rising and RISES * size < abs(bends[most]) and most > cuts[-1]:
-            cut = most
+        elif rising and RISES * size < abs(bends[sharpest]) and sharpest > cuts[-1]:
+            cut = sharpest
         elif turned > TURN:
             cut = knot
-        least = min(least, size)
+        least_curvature = min(least_curvature, size)
         if cut is not None and cut < len(bends) - 1:
             cuts.append(cut)
             turned = float(turns[cut:knot].sum())
-            most, least, rising = knot, size, False
+            sharpest, least_curvature, rising = knot, size, False
     return [*cuts, len(bends) - 1]

@@ -34,20 +34,20 @@ def root(function: Callable[[float], float], until: float, close: float = CLOSE)
 
 
 class SecantMethod:
-    """Finds x = f(x) between 0 and `most` by the secant method; f is given point by point.
+    """Finds x = f(x) between 0 and `upper` by the secant method; f is given point by point.
 
-    `known` is a point (x, f(x)) to begin with; without it, f of the first point is tried next.
+    `last` is a point (x, f(x)) to begin with; without it, f of the first point is tried next.
     """
 
-    def __init__(self, most: float, known: tuple[float, float] | None = None) -> None:
-        self._most = most
-        self._known = (known[0], known[0] - known[1]) if known else None
+    def __init__(self, upper: float, last: tuple[float, float] | None = None) -> None:
+        self._upper = upper
+        self._last = (last[0], last[0] - last[1]) if last else None
 
     def following(self, x: float, value: float) -> float:
         """Return the next x to try after one with a value f(x)."""
-        known, off = self._known, x - value
-        self._known = x, off
-        if known is None or off == known[1]:
+        last, residual = self._last, x - value
+        self._last = x, residual
+        if last is None or residual == last[1]:
             return value
-        zero = x - off * (x - known[0]) / (off - known[1])
-        return zero if 0 < zero < self._most else value
+        zero = x - residual * (x - last[0]) / (residual - last[1])
+        return zero if 0 < zero < self._upper else value

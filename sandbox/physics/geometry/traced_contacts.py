@@ -25,73 +25,77 @@ Trace = Callable[[Placed, Placed], ContactGeometry]
 """A contact, given the positions and rotations of the hollow body and the other one."""
 
 
-def trace(touch: Touch, hollow: Piece, other: Piece, at: Placed, there: Placed) -> Trace:
+def trace(touch: Touch, hollow: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Trace:
     """Return a contact as a function of the positions of its bodies.
 
-    `at` and `there` are their positions and rotations at the contact.
+    `pose` and `other_pose` are their positions and rotations at the contact.
     """
     if hollow.curve is None:
-        return lambda at, there: _in_arc(touch, at, there)
+        return lambda pose, other_pose: _in_arc(touch, pose, other_pose)
     if other.corner is None and len(other.core) > 1:
-        return _side_on_curve(hollow.curve, -touch.normal / there[1], touch, there)
-    return _on_curve(hollow.curve, touch, at, there)
+        return _side_on_curve(hollow.curve, -touch.normal / other_pose[1], touch, other_pose)
+    return _on_curve(hollow.curve, touch, pose, other_pose)
 
 
 def trace_convex(one: Outline, other: Outline) -> Trace:
     """Return the contact of two convex outlines, one of which is a disc."""
 
-    def found(at: Placed, there: Placed) -> ContactGeometry:
+    def contact_at(pose: Placed, other_pose: Placed) -> ContactGeometry:
         cores = (
-            [to_plane(at, corner) for corner in one.corners],
-            [to_plane(there, p) for p in other.corners],
+            [to_plane(pose, corner) for corner in one.corners],
+            [to_plane(other_pose, p) for p in other.corners],
         )
-        apart, normal, points = gap(*cores, one.radius + other.radius)
-        return ContactGeometry(normal, points[0] + normal * (one.radius + apart), apart)
+        distance, normal, points = gap(*cores, one.radius + other.radius)
+        return ContactGeometry(normal, points[0] + normal * (one.radius + distance), distance)
 
-    return found
+    return contact_at
 
 
-def _in_arc(touch: Touch, at: Placed, there: Placed) -> ContactGeometry:
+def _in_arc(touch: Touch, pose: Placed, other_pose: Placed) -> ContactGeometry:
     """Return the contact of a point, with a radius around it, with an arc from inside."""
-    center = to_plane(at, touch.arc.center)
-    way = to_plane(there, touch.point) - center
-    out = way / abs(way)
+    center = to_plane(pose, touch.arc.center)
+    offset = to_plane(other_pose, touch.point) - center
+    outward = offset / abs(offset)
     return ContactGeometry(
-        -out, center + way + touch.radius * out, touch.arc.inner - abs(way) - touch.radius
+        -outward,
+        center + offset + touch.radius * outward,
+        touch.arc.inner - abs(offset) - touch.radius,
     )
 
 
-def _on_curve(side: Side, touch: Touch, at: Placed, there: Placed) -> Trace:
+def _on_curve(side: Side, touch: Touch, pose: Placed, other_pose: Placed) -> Trace:
     """Return the contact of a point, with a radius around it, with a curve."""
 
-    def seen(at: Placed, there: Placed) -> complex:
-        return (to_plane(there, touch.point) - at[0]) / at[1]
+    def point_in_axes(pose: Placed, other_pose: Placed) -> complex:
+        return (to_plane(other_pose, touch.point) - pose[0]) / pose[1]
 
-    start = side.course.foot_point(seen(at, there), side.stretch)
+    start = side.course.foot_point(point_in_axes(pose, other_pose), side.stretch)
     assert start
-    hand = 1 if dot(touch.normal / at[1], 1j * start.tangent) >= 0 else -1
+    sign = 1 if dot(touch.normal / pose[1], 1j * start.tangent) >= 0 else -1
 
-    def found(at: Placed, there: Placed) -> ContactGeometry:
-        place = seen(at, there)
-        foot = side.course.foot_point_near(place, start.parameter)
-        out = hand * 1j * foot.tangent
-        gap = dot(place - foot.point, out) - side.half - touch.radius
-        return ContactGeometry(out * at[1], to_plane(at, place - out * touch.radius), gap)
+    def contact_at(pose: Placed, other_pose: Placed) -> ContactGeometry:
+        point = point_in_axes(pose, other_pose)
+        foot = side.course.foot_point_near(point, start.parameter)
+        out = sign * 1j * foot.tangent
+        gap = dot(point - foot.point, out) - side.half - touch.radius
+        return ContactGeometry(out * pose[1], to_plane(pose, point - out * touch.radius), gap)
 
-    return found
+    return contact_at
 
 
-def _side_on_curve(side: Side, out: complex, touch: Touch, there: Placed) -> Trace:
+def _side_on_curve(side: Side, out: complex, touch: Touch, other_pose: Placed) -> Trace:
     """Return the contact of a straight side with a curve.
 
     `out` is the unit normal of the straight side, along the axes of its body.
     """
-    place = (touch.on_other - there[0]) / there[1]
+    side_point = (touch.on_other - other_pose[0]) / other_pose[1]
 
-    def found(at: Placed, there: Placed) -> ContactGeometry:
-        away = out * there[1] / at[1]
-        point = side.course.lowest(away, side.stretch)
-        high = dot(point - (to_plane(there, place) - at[0]) / at[1], away)
-        return ContactGeometry(-away * at[1], to_plane(at, point - high * away), high - side.half)
+    def contact_at(pose: Placed, other_pose: Placed) -> ContactGeometry:
+        direction = out * other_pose[1] / pose[1]
+        point = side.course.lowest(direction, side.stretch)
+        height = dot(point - (to_plane(other_pose, side_point) - pose[0]) / pose[1], direction)
+        return ContactGeometry(
+            -direction * pose[1], to_plane(pose, point - height * direction), height - side.half
+        )
 
-    return found
+    return contact_at

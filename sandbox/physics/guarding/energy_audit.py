@@ -103,15 +103,12 @@ class PassiveAudit:
         if drift_velocity is None or not len(contacts.bodies):
             return
         if now.t - last.t > 1.5 * self._dt:  # the steps between are unknown
-            self.correction, self._unseen_correction = (
-                self.correction + self._unseen_correction,
-                0.0,
-            )
+            self.correction += self._unseen_correction
+            self._unseen_correction = 0.0
             return
         displacement = now.position - last.position - drift_velocity[:, :2] * self._dt
-        if (
-            np.vdot(displacement, displacement) <= self._negligible_square
-        ):  # checked in each step: a tenth of the rest
+        # checked in each step: a tenth of the rest
+        if np.vdot(displacement, displacement) <= self._negligible_square:
             return
         touching = np.zeros(len(self._scene.mass), dtype=bool)
         touching[contacts.bodies] = True
@@ -166,18 +163,15 @@ class DrivenAudit:
     def __init__(
         self, run: Recorded, negligible: float, oscillation: float, always_open: bool
     ) -> None:
-        self._run, self._negligible, self._oscillation, self._is_always_open = (
-            run,
-            negligible,
-            oscillation,
-            always_open,
-        )
+        self._run = run
+        self._negligible = negligible
+        self._oscillation = oscillation
+        self._is_always_open = always_open
         self._kinetic, self._max_kinetic = 0.0, negligible
         self._books: Ledger | None = None
         self._opening_correction = 0.0  # before the books were opened
-        self._opening_energy = self._min_potential = (
-            0.0  # energy at their opening; least stored since
-        )
+        # the energy at their opening, and the smallest potential energy since
+        self._opening_energy = self._min_potential = 0.0
 
     def unexplained_energy(self, now: Snapshot, velocity: Array, correction: float) -> float:
         """Return the unexplained energy in a row of steps that change much [J].
@@ -213,9 +207,8 @@ class DrivenAudit:
         available = (
             self._opening_energy - self._min_potential + put_in + correction + self._negligible
         )
-        negative_losses = sum(
-            max(-loss, 0.0) for loss in balance.loss.values()
-        )  # where only losses belong
+        # where only losses belong
+        negative_losses = sum(max(-loss, 0.0) for loss in balance.loss.values())
         unexplained = balance.unexplained - correction + negative_losses
         return unexplained if unexplained > available * self._oscillation else 0.0
 

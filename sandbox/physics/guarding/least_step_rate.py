@@ -150,15 +150,13 @@ def _with_terminal_speed(scene: Scene, law: Law, row: int, motion: Instant) -> I
     return motion
 
 
-def _slope(
-    scene: Scene, law: Law, row: int, motion_before: Motion, attribute: str, nudge: float
-) -> float:
+def _slope(scene: Scene, law: Law, row: int, then: Motion, attribute: str, nudge: float) -> float:
     """Return the largest derivative of a body's acceleration by its position or velocity.
 
     It is 0 if it is not finite [1/s², 1/s].
     """
     slope = np.empty((2, 2))
-    motion = Instant.of(motion_before)
+    motion = Instant.of(then)
     for axis in (0, 1):
         forces = []
         for sign in (-1, 1):

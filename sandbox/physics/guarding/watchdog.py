@@ -305,9 +305,8 @@ class Watchdog:
         if worst is None:
             return None
         required_rate = MARGIN * worst.rate
-        return Message(
-            ": {subject} changes too fast for a step", subject=worst.subject
-        ), required_rate
+        cause = Message(": {subject} changes too fast for a step", subject=worst.subject)
+        return cause, required_rate
 
     def _exceeded_bounds(self, row: int) -> list[RateBound]:
         """Return the needs above the present rate, including a margin.

@@ -37,18 +37,20 @@ class ContactForce(NamedTuple):
             force, square = (float(x), float(y)), float(x * x + y * y)
             if square:
                 arm = self.at - center
-                off = (torque - (arm[0] * y - arm[1] * x)) / square  # offset of the line of action
-                foot = float(arm[0] + off * y), float(arm[1] - off * x)
+                shift = (
+                    torque - (arm[0] * y - arm[1] * x)
+                ) / square  # offset of the line of action
+                foot = float(arm[0] + shift * y), float(arm[1] - shift * x)
                 yield AppliedForce.of(name, by, force, float(torque), center, foot)
 
 
-def presses(
-    contacts: Contacts, wrenches: Array | None, row: int, place: Array, length: float
+def forces_of_contacts(
+    contacts: Contacts, wrenches: Array | None, row: int, center: Array, length: float
 ) -> Iterator[ContactForce]:
     """Yield the forces of each of the k contacts on a body in a kick of some length [s].
 
     `wrenches` are the normal and friction impulses on the body [N s, N m s], (2, k, 3), if known
-    per contact. `row` is the index of the body, `place` its centre of mass, (2,) [m].
+    per contact. `row` is the index of the body, `center` its centre of mass, (2,) [m].
     """
     ours = (contacts.bodies == row).any(axis=1) & contacts.impulse.any(axis=1)
     for pair in np.flatnonzero(ours).tolist():
@@ -62,51 +64,53 @@ def presses(
         else:
             half = (points[1] - at) if both else np.zeros(2)
             at = contacts.on_surfaces(_middles(contacts))[pair, second]
-            normal, friction = _parts(contacts, pair, (2 * second - 1) / length, at - place)
+            normal, friction = _parts(contacts, pair, (2 * second - 1) / length, at - center)
         yield ContactForce(int(contacts.bodies[pair, 1 - second]), normal, friction, at, half)
 
 
-def loosened(
-    found: Sequence[ContactForce],
-    freed: Iterable[tuple[int, BreakawayImpulse]],
+def with_breakaway(
+    contact_forces: Sequence[ContactForce],
+    breakaways: Iterable[tuple[int, BreakawayImpulse]],
     row: int,
-    place: Array,
+    center: Array,
     length: float,
 ) -> Sequence[ContactForce]:
     """Return the contacts with the friction that is left where one broke loose within the kick.
 
-    pymunk does not know that its friction was lowered after it. `freed` has the index of the other
-    body with each reduction; the others are those of `presses`.
+    pymunk does not know that its friction was lowered after it. `breakaways` has the index of the
+    other body with each reduction; the others are those of `forces_of_contacts`.
     """
-    left = list(found)
-    for other, (body, impulse, points) in freed:
+    reduced = list(contact_forces)
+    for other, (body, impulse, points) in breakaways:
         sign, at = (1, points[0]) if body == row else (-1, points[1])
-        force, arm = sign * np.array(impulse) / length, np.array(at) - place
+        force, arm = sign * np.array(impulse) / length, np.array(at) - center
         wrench = np.append(force, arm[0] * force[1] - arm[1] * force[0])
-        near = [(float(np.hypot(*(p.at - at))), i) for i, p in enumerate(left) if p.row == other]
-        if near:
-            _, i = min(near)
-            left[i] = left[i]._replace(friction=left[i].friction + wrench)
-    return left
+        candidates = [
+            (float(np.hypot(*(p.at - at))), i) for i, p in enumerate(reduced) if p.row == other
+        ]
+        if candidates:
+            _, i = min(candidates)
+            reduced[i] = reduced[i]._replace(friction=reduced[i].friction + wrench)
+    return reduced
 
 
-def settled(found: Sequence[ContactForce], missing: float) -> Sequence[ContactForce]:
+def with_torque(contact_forces: Sequence[ContactForce], missing: float) -> Sequence[ContactForce]:
     """Return the contacts with their forces moved along the sides that they act on.
 
     Together they then supply the missing torque [N m]. Each force is moved as little as possible,
     and not beyond the ends of its side.
     """
-    levers = np.array([p.half[0] * p.normal[1] - p.half[1] * p.normal[0] for p in found])
-    shares = np.zeros(len(found))
-    for _ in found:  # a force at an end leaves the rest to the others
-        free = np.where(np.abs(shares) < 1, levers, 0.0)
-        if square := float(free @ free):
-            missed = missing - float(shares @ levers)
-            shares = np.clip(shares + missed * free / square, -1.0, 1.0)
-    turning = np.outer(shares * levers, (0.0, 0.0, 1.0))
+    levers = np.array([p.half[0] * p.normal[1] - p.half[1] * p.normal[0] for p in contact_forces])
+    fractions = np.zeros(len(contact_forces))
+    for _ in contact_forces:  # a force at an end leaves the rest to the others
+        movable = np.where(np.abs(fractions) < 1, levers, 0.0)
+        if square := float(movable @ movable):
+            remaining = missing - float(fractions @ levers)
+            fractions = np.clip(fractions + remaining * movable / square, -1.0, 1.0)
+    turning = np.outer(fractions * levers, (0.0, 0.0, 1.0))
     return [
-        press._replace(at=press.at + share * press.half, normal=press.normal + turned)
-        for press, share, turned in zip(found, shares, turning, strict=True)
+        press._replace(at=press.at + fraction * press.half, normal=press.normal + turned)
+        for press, fraction, turned in zip(contact_forces, fractions, turning, strict=True)
     ]
 
 
@@ -123,5 +127,5 @@ def _parts(contacts: Contacts, pair: int, scale: float, arm: Array) -> tuple[Arr
     normal = (force @ direction) * direction
     both = np.stack((normal, force - normal))
     torque = arm[0] * both[:, 1] - arm[1] * both[:, 0]
-    whole = np.column_stack((both, torque))
-    return whole[0], whole[1]
+    wrenches = np.column_stack((both, torque))
+    return wrenches[0], wrenches[1]

@@ -35,7 +35,12 @@ from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.forces.declared_laws import laws_by_entry
 from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.joints.joint_forces import pulls_on
-from sandbox.physics.measuring.contact_forces import ContactForce, loosened, presses, settled
+from sandbox.physics.measuring.contact_forces import (
+    ContactForce,
+    forces_of_contacts,
+    with_breakaway,
+    with_torque,
+)
 from sandbox.physics.measuring.free_body import HAND, IMPACT, AppliedForce, FreeBody
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.motion import Instant, Motion
@@ -102,10 +107,8 @@ class FreeBodies:
         )
         x, y = step.snapshot.position[row].tolist()
         rates = _accelerations(step, row, is_constrained=scene.joints.together is not None)
-        mass, moment = (
-            float(scene.mass[row]) * mass_fraction,
-            float(scene.moment[row]) * mass_fraction,
-        )
+        mass = float(scene.mass[row]) * mass_fraction
+        moment = float(scene.moment[row]) * mass_fraction
         return _Kick(row, step, law_motion, (x, y), mass, moment, rates)
 
     def _known_forces(self, kick: "_Kick") -> Iterator[AppliedForce]:
@@ -154,15 +157,15 @@ class FreeBodies:
         direct, contacts = self._scene.direct, kick.contacts
         wrenches = direct.wrenches(kick.row) if direct else None
         center = np.array(kick.center)
-        raw = tuple(presses(contacts, wrenches, kick.row, center, kick.length))
-        loosened_forces = loosened(
+        raw = tuple(forces_of_contacts(contacts, wrenches, kick.row, center, kick.length))
+        loosened_forces = with_breakaway(
             raw, self._breakaway_impulses(kick.row), kick.row, center, kick.length
         )
         if not kick.moment:
             return loosened_forces
         torque = sum(acting.torque(kick.center) for acting in known)
         torque += sum(float(press.normal[2] + press.friction[2]) for press in loosened_forces)
-        return settled(loosened_forces, kick.moment * float(kick.acceleration[2]) - torque)
+        return with_torque(loosened_forces, kick.moment * float(kick.acceleration[2]) - torque)
 
     def _breakaway_impulses(self, row: int) -> Iterator[tuple[int, BreakawayImpulse]]:
         """Yield what contacts lost that broke loose, each with the index of the other body."""

@@ -39,17 +39,17 @@ def step_seconds(
     """
     block = min(BLOCK, steps)
     count = max(steps // block, 1)
-    least, begun = np.full((len(starts), count), inf), perf_counter()
+    shortest, started = np.full((len(starts), count), inf), perf_counter()
     for index in islice(cycle(range(len(starts))), repeats * len(starts)):
-        if index == 0 and np.isfinite(least[0, 0]) and perf_counter() - begun > enough:
+        if index == 0 and np.isfinite(shortest[0, 0]) and perf_counter() - started > enough:
             break
         step = starts[index]()
         for number in range(count):
             begin = perf_counter()
             for _ in range(block):
                 step()
-            least[index, number] = min(least[index, number], perf_counter() - begin)
-    return [float(row.sum()) / (count * block) for row in least]
+            shortest[index, number] = min(shortest[index, number], perf_counter() - begin)
+    return [float(row.sum()) / (count * block) for row in shortest]
 
 
 def step_costs(

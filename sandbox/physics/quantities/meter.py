@@ -108,7 +108,7 @@ class Meter:
 
     def _of_system(self, quantity: Quantity) -> Measurement:
         if source := quantity.attribute.partition("potential_energy.")[2]:
-            return lambda s: self._stored(s, source).sum(axis=-1)
+            return lambda s: self._potential_of(s, source).sum(axis=-1)
         if vector := self._vectors_of_system.get(quantity.attribute):
             return _component(vector, quantity.component)
         return self._scalars_of_system[quantity.attribute]
@@ -166,8 +166,8 @@ class Meter:
 
     def _kinetic(self, s: Snapshot) -> Array:
         """Return T = m v² / 2 + I ω² / 2."""
-        share = self._share(s.t)
-        return kinetic_energy(self._mass * share, self._moment * share, s)
+        fraction = self._share(s.t)
+        return kinetic_energy(self._mass * fraction, self._moment * fraction, s)
 
     def _potential(self, s: Snapshot) -> Array:
         potential = np.zeros(s.position.shape[:-1])
@@ -175,7 +175,7 @@ class Meter:
             potential = potential + law.potential_energy(s)
         return potential
 
-    def _stored(self, s: Snapshot, effect: str) -> Array:
+    def _potential_of(self, s: Snapshot, effect: str) -> Array:
         """Return U from the laws of one effect."""
         stores = [law for law in self._laws if law.effect.stores(effect)]
         energies = [law.potential_energy(s) for law in stores]
@@ -196,15 +196,15 @@ class Meter:
     def _angular_momentum(self, s: Snapshot) -> Array:
         """Return L = Σ m (x vy − y vx) + I ω, about the origin."""
         x, y = s.position[..., 0], s.position[..., 1]
-        share = self._share(s.t)
-        orbital = self._mass * share * (x * s.velocity[..., 1] - y * s.velocity[..., 0])
-        return np.sum(orbital + self._moment * share * s.angular_velocity, axis=-1)
+        fraction = self._share(s.t)
+        orbital = self._mass * fraction * (x * s.velocity[..., 1] - y * s.velocity[..., 0])
+        return np.sum(orbital + self._moment * fraction * s.angular_velocity, axis=-1)
 
 
 def _of_point(point: Anchor, attribute: str, s: Snapshot) -> Array:
     """Return the position or velocity of a point of a body: (..., 2)."""
-    place, moves, _ = point.kinematics(s)
-    found = place if attribute == "position" else moves
+    position, moves, _ = point.kinematics(s)
+    found = position if attribute == "position" else moves
     return np.stack((found.real, found.imag), axis=-1)
 
 

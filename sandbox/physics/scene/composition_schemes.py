@@ -20,22 +20,22 @@ class Composition(NamedTuple):
     drifts: Sequence[float]
     kicks: Sequence[float]
     """after each drift; the last is shared with the next step"""
-    reach: float
+    stability_limit: float
     """the largest stable ω h of an oscillation, at which the trace of the step's matrix leaves the
     range from −2 to 2"""
 
 
-def _composed(half: Sequence[float], reach: float) -> Composition:
+def _composed(half: Sequence[float], limit: float) -> Composition:
     """Return a symmetric composition of leapfrog steps, from the first half and the middle one.
 
     The duration of each kick is the mean of the drifts before and after it.
     """
     drifts = (*half, *half[-2::-1])
     around = pairwise((*drifts, drifts[0]))
-    return Composition(drifts, [(a + b) / 2 for a, b in around], reach)
+    return Composition(drifts, [(a + b) / 2 for a, b in around], limit)
 
 
-def _split(drifts: Sequence[float], kicks: Sequence[float], reach: float) -> Composition:
+def _split(drifts: Sequence[float], kicks: Sequence[float], limit: float) -> Composition:
     """Return a symmetric scheme, from its first drifts and kicks; the rest follows.
 
     The scheme begins with its first kick, which is half of the kick at the end of a step here. As
@@ -48,7 +48,7 @@ def _split(drifts: Sequence[float], kicks: Sequence[float], reach: float) -> Com
     else:
         inner = [*inner, 0.5 - fsum(kicks)]
         drifts, inner = (*drifts, 1 - 2 * fsum(drifts), *drifts[::-1]), [*inner, *inner[::-1]]
-    return Composition(drifts, (*inner, 2 * first), reach)
+    return Composition(drifts, (*inner, 2 * first), limit)
 
 
 _FIFTH = 1 / (4 - 4 ** (1 / 3))
@@ -129,9 +129,9 @@ _SCHEMES = {
 """The scheme of each order, without and with exact joints."""
 
 
-def composition(order: int, *, held: bool) -> Composition:
-    """Return the scheme of an order, with (`held`) or without exact joints."""
-    return _SCHEMES[order][held]
+def composition(order: int, *, is_constrained: bool) -> Composition:
+    """Return the scheme of an order, with (`is_constrained`) or without exact joints."""
+    return _SCHEMES[order][is_constrained]
 
 
 def substeps(shares: Composition, dt: float) -> list[Substep]:

@@ -39,7 +39,7 @@ def _reach(stepping: Stepping, *, held: bool) -> float:
         return 2.0
     from sandbox.physics.scene.composition_schemes import composition
 
-    return composition(stepping.order, held=held).reach
+    return composition(stepping.order, is_constrained=held).stability_limit
 
 
 def hooked_springs(made: BuildContext, share: MassFraction) -> Iterator[SpringForce]:

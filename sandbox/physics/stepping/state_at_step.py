@@ -136,11 +136,9 @@ class Observer:
         from sandbox.physics.contacts.impacts.impact_step_velocity import impacts
 
         (velocity, acceleration), after = rates, state[:, 3:]
-        scene, law_acceleration, dt = (
-            self._scene,
-            self._forces.law_acceleration,
-            self._kicks.clock.dt,
-        )
+        scene = self._scene
+        law_acceleration = self._forces.law_acceleration
+        dt = self._kicks.clock.dt
         if scene.hollows:
             contacts = scene.hollows.impacts(contacts)
         welded, pose = scene.joints.joined, state[:, :3]

@@ -50,7 +50,7 @@ def test_what_was_changed_stays_with_its_steps_but_is_not_held_as_a_level(undone
 
     assert first._loaded is None
     assert drafts.of(levels[0]) is first
-    assert (first.redoes if undone else first.undoes) == "add a line"
+    assert (first.redo_description if undone else first.undo_description) == "add a line"
 
 
 def test_parts_are_read_once_and_let_go_with_the_scene_after_next() -> None:

@@ -13,11 +13,11 @@ from sandbox.editing.edits.bodies import (
     add_disc,
     add_polygon,
     add_surface,
-    take_out,
+    remove_parts,
 )
 from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.edits.effects import declare
-from sandbox.editing.expanded_level import plain
+from sandbox.editing.expanded_level import expanded
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -134,7 +134,7 @@ def test_a_closed_stroke_is_a_polygon_with_few_corners_and_an_open_one_a_line() 
 
 def test_what_a_body_gave_a_meaning_goes_with_it() -> None:
     text = read(level_catalog.find("newton/atwood"))
-    left = parse(take_out(text, parse(text), ["right"]))
+    left = parse(remove_parts(text, parse(text), ["right"]))
     assert list(left.bodies) == ["left"]
     assert not left.joints
     assert list(left.ghosts) == ["left"]
@@ -142,13 +142,13 @@ def test_what_a_body_gave_a_meaning_goes_with_it() -> None:
 
 @pytest.mark.parametrize("name", sampled(level_catalog.textbook(), "take out"))
 def test_any_body_but_the_last_can_be_taken_out_of_a_level(name: str) -> None:
-    text = plain(read(level_catalog.find(name)))
+    text = expanded(read(level_catalog.find(name)))
     level = parse(text)
     for body in list(level.bodies)[:3]:
         if len(level.bodies) > 1:
-            assert body not in parse(take_out(text, level, [body])).bodies
+            assert body not in parse(remove_parts(text, level, [body])).bodies
 
 
 def test_the_last_body_stays() -> None:
     with pytest.raises(SandboxError, match="draw another"):
-        take_out(EMPTY, parse(EMPTY), ["ground"])
+        remove_parts(EMPTY, parse(EMPTY), ["ground"])

@@ -2,7 +2,12 @@
 
 import pytest
 
-from sandbox.editing.edits.checks import add_checks, complete, drop_told, set_ghost
+from sandbox.editing.edits.checks import (
+    add_checks,
+    drop_check_or_ghost,
+    quantity_completions,
+    set_ghost,
+)
 from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse, read
@@ -15,7 +20,7 @@ def test_a_check_is_added_and_taken_away() -> None:
     check = {"quantity": "right.velocity.x", "formula": 0, "tolerance": 1e-9}
     added = add_checks(TEXT, LEVEL, [check])
     assert parse(added).checks[-1].quantity == "right.velocity.x"
-    assert drop_told(added, "checks", len(LEVEL.checks)) == TEXT
+    assert drop_check_or_ghost(added, "checks", len(LEVEL.checks)) == TEXT
 
 
 def test_a_check_of_nothing_is_refused_with_what_was_meant() -> None:
@@ -25,14 +30,14 @@ def test_a_check_of_nothing_is_refused_with_what_was_meant() -> None:
 
 
 def test_a_ghost_is_set_and_taken_away() -> None:
-    without = drop_told(TEXT, "ghosts", "left")
+    without = drop_check_or_ghost(TEXT, "ghosts", "left")
     assert "left" not in parse(without).ghosts
     assert parse(set_ghost(without, "left", (-0.6, "t"))).ghosts.keys() == {"left", "right"}
 
 
 def test_names_are_completed_from_their_beginning_and_from_within() -> None:
-    assert complete(LEVEL, "left.pos")[0] == "left.position.x"
-    assert complete(LEVEL, "TENSION") == ["string.tension"]
-    assert complete(LEVEL, "string.")[0] == "string.tension"
-    assert complete(LEVEL, "nothing") == []
-    assert "t" in complete(LEVEL, "")
+    assert quantity_completions(LEVEL, "left.pos")[0] == "left.position.x"
+    assert quantity_completions(LEVEL, "TENSION") == ["string.tension"]
+    assert quantity_completions(LEVEL, "string.")[0] == "string.tension"
+    assert quantity_completions(LEVEL, "nothing") == []
+    assert "t" in quantity_completions(LEVEL, "")

@@ -7,8 +7,8 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.copying import copy, duplicate, paste
 from sandbox.editing.edits.mirroring import mirror
-from sandbox.editing.expanded_level import plain
-from sandbox.editing.placed_bodies import around, placed
+from sandbox.editing.expanded_level import expanded
+from sandbox.editing.placed_bodies import bounding_box, placed
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of
@@ -24,7 +24,7 @@ LEVELS = [
 
 @pytest.mark.parametrize("name", sampled(LEVELS, "beside"))
 def test_a_whole_level_can_be_put_beside_itself(name: str) -> None:
-    text = plain(read(level_catalog.find(name)))
+    text = expanded(read(level_catalog.find(name)))
     level = parse(text)
     pasted = duplicate(text, level, list(level.bodies), (100, 0))
     after = parse(pasted.text)
@@ -50,7 +50,7 @@ def test_copies_are_joined_to_each_other_and_not_to_the_first() -> None:
 
 @pytest.mark.parametrize("name", sampled(LEVELS, "paste"))
 def test_what_is_copied_can_be_pasted_into_an_empty_scene(name: str) -> None:
-    text = plain(read(level_catalog.find(name)))
+    text = expanded(read(level_catalog.find(name)))
     level = parse(text)
     empty = Draft.empty().text
     pasted = paste(empty, parse(empty), copy(text, level, list(level.bodies)))
@@ -108,12 +108,12 @@ def test_what_is_no_level_is_not_pasted(copied: str) -> None:
 @pytest.mark.parametrize("name", sampled(LEVELS, "mirror"))
 @pytest.mark.parametrize("axis", ["x", "y"])
 def test_a_mirror_image_of_all_is_as_wide_and_mirrored_again_the_same(name: str, axis: str) -> None:
-    text = plain(read(level_catalog.find(name)))
+    text = expanded(read(level_catalog.find(name)))
     level = parse(text)
     once = mirror(text, level, list(level.bodies), axis)  # type: ignore[arg-type]
     image = parse(once)
-    box = around(placed(level).values())
-    assert around(placed(image).values()) == pytest.approx(box, abs=1e-9)
+    box = bounding_box(placed(level).values())
+    assert bounding_box(placed(image).values()) == pytest.approx(box, abs=1e-9)
     twice = parse(mirror(once, image, list(level.bodies), axis))  # type: ignore[arg-type]
     for body, one in placed(twice).items():
         other = placed(level)[body]
@@ -125,7 +125,7 @@ def test_a_mirrored_run_is_the_mirror_image_of_the_run() -> None:
     text = read(level_catalog.find("machines/trebuchet"))
     level = parse(text)
     image = parse(mirror(text, level, list(level.bodies)))
-    low, high = around(placed(level).values())
+    low, high = bounding_box(placed(level).values())
     one, other = (build(scene).advance(30).position for scene in (level, image))
     assert other[:, 0] == pytest.approx((low + high).real - one[:, 0], abs=1e-6)
     assert other[:, 1] == pytest.approx(one[:, 1], abs=1e-6)

@@ -7,7 +7,7 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_disc
 from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
-from sandbox.editing.expanded_level import plain
+from sandbox.editing.expanded_level import expanded
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError, SandboxError
@@ -118,7 +118,7 @@ def test_what_is_a_formula_already_or_none_at_all_is_no_parameter() -> None:
 
 @pytest.mark.parametrize("name", level_catalog.textbook()[::6])
 def test_numbers_of_the_scene_become_parameters_that_hold_over_their_range(name: str) -> None:
-    text = plain(read(level_catalog.find(name)))
+    text = expanded(read(level_catalog.find(name)))
     level = parse(text)
     numbers = [p for p, e in expressions(level) if p[0] == "bodies" and _is_number(text, p, e)]
     for path in numbers[::4][:3]:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.editing.edits.bodies import take_out
+from sandbox.editing.edits.bodies import remove_parts
 from sandbox.editing.edits.copying import duplicate
 from sandbox.editing.edits.grouping import group, group_of, ungroup
 from sandbox.editing.edits.mirroring import mirror
@@ -75,10 +75,10 @@ def test_no_body_is_ever_in_two_groups(chosen: list[list[str]]) -> None:
 
 def test_what_is_taken_out_leaves_its_group_and_the_last_one_takes_it_along() -> None:
     text, level = grouped("abc")
-    left = take_out(text, level, ["a"])
+    left = remove_parts(text, level, ["a"])
 
     assert together(left) == ["bc"]
-    alone = parse(take_out(left, parse(left), ["b"]))
+    alone = parse(remove_parts(left, parse(left), ["b"]))
     assert alone.view.together == ()
     assert list(alone.bodies) == ["c", "d"]
 
@@ -87,7 +87,7 @@ def test_what_is_taken_out_leaves_those_that_it_was_kept_apart_from_touching() -
     said = json.loads(scene())
     said["effects"]["contact"] = {"apart": [["a", "b", "c"], ["a", "d"]]}
     text = json.dumps(said)
-    contact = parse(take_out(text, parse(text), ["a"])).effects.contact
+    contact = parse(remove_parts(text, parse(text), ["a"])).effects.contact
 
     assert contact is not None
     assert contact.apart == (("b", "c"),)

@@ -8,7 +8,7 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.moving_and_aligning import Side, align, distribute, move, turn
-from sandbox.editing.expanded_level import plain
+from sandbox.editing.expanded_level import expanded
 from sandbox.editing.placed_bodies import placed
 from sandbox.editing.text_patches import value_at
 from sandbox.model import level_catalog
@@ -18,7 +18,7 @@ from tests.sample import sampled
 
 
 def shipped(name: str) -> tuple[str, Level]:
-    text = plain(read(level_catalog.find(name)))
+    text = expanded(read(level_catalog.find(name)))
     return text, parse(text)
 
 

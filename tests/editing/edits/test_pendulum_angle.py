@@ -7,7 +7,7 @@ from sandbox.editing.edits.bodies import add_disc
 from sandbox.editing.edits.field_values import make_parameter
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.pendulum_angle import peg_of, swing
-from sandbox.editing.suggested_checks import suggestions, take
+from sandbox.editing.suggested_checks import suggestions, with_suggestion
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model.errors import SandboxError
 from sandbox.model.joint_ends_at_start import span
@@ -47,7 +47,7 @@ def test_what_hangs_straight_is_drawn_to_where_nothing_is() -> None:
 def test_its_checks_hold_at_every_angle(text: str) -> None:
     text = swing(text, parse(text), "disc1")
     (one,) = suggestions(parse(text))
-    level = parse(take(text, parse(text), one))
+    level = parse(with_suggestion(text, parse(text), one))
     assert len(level.checks) == 3
     for angle in (5, 25, 60):
         run = simulate(level, {**level.defaults, "angle": angle})

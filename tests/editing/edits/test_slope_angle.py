@@ -14,7 +14,7 @@ from sandbox.editing.edits.moving_and_aligning import move, turn
 from sandbox.editing.edits.slope_angle import slope_of, tilt
 from sandbox.editing.placed_bodies import placed
 from sandbox.editing.snapping import flat_turn, snap_body
-from sandbox.editing.suggested_checks import suggestions, take
+from sandbox.editing.suggested_checks import suggestions, with_suggestion
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model.errors import SandboxError
 from sandbox.model.joint_ends_at_start import end_position
@@ -74,7 +74,7 @@ def test_the_checks_that_are_suggested_hold_at_every_angle(
     text = tilt(text, parse(text), "surface1")
     (one,) = suggestions(parse(text))
     assert one.setup == "block on a slope"
-    text = take(text, parse(text), one)
+    text = with_suggestion(text, parse(text), one)
     for angle in (12, 30, 55):
         level = parse(put(text, ("parameters", "angle", "value"), angle))
         assert {result.verdict for result in grade(simulate(level))} == {"passed"}
@@ -96,7 +96,7 @@ def test_a_slope_that_is_touched_exactly_is_recognised() -> None:
 def test_the_point_that_holds_a_block_on_its_slope_turns_along() -> None:
     text = incline(radians(30))
     where = placed(parse(text))["box1"]
-    along = where.center - 2 * where.turn
+    along = where.center - 2 * where.rotation
     pick = Pick((where.center.real, where.center.imag), "box1")
     text = add_joint(text, parse(text), "spring", [pick, Pick((along.real, along.imag))]).text
     text = tilt(text, parse(text), "box1")
@@ -104,7 +104,7 @@ def test_the_point_that_holds_a_block_on_its_slope_turns_along() -> None:
     block = placed(level)["box1"]
     end = end_position(points(level.joints["spring1"])[1], level.bodies, level.defaults)
 
-    assert abs((end - block.center) / block.turn + 2) < 1e-9
+    assert abs((end - block.center) / block.rotation + 2) < 1e-9
 
 
 def test_what_is_no_slope_or_is_placed_by_formulas_is_told() -> None:

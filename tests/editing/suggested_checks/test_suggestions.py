@@ -4,7 +4,12 @@ import pytest
 
 from sandbox.editing.edits.field_values import make_parameter
 from sandbox.editing.edits.moving_and_aligning import move
-from sandbox.editing.suggested_checks import MOST_MOVING, followed, suggestions, take
+from sandbox.editing.suggested_checks import (
+    MOST_MOVING,
+    suggestions,
+    with_suggestion,
+    with_updated_checks,
+)
 from sandbox.editing.text_patches import put_all
 from sandbox.model import level_catalog
 from sandbox.model.loading import parse, read
@@ -29,7 +34,7 @@ def test_a_number_in_a_check_stands_as_a_number() -> None:
     """For example the acceleration of gravity, and not its text."""
     text = atwood(1, 2)
     (one,) = suggestions(parse(text))
-    said = take(text, parse(text), one)
+    said = with_suggestion(text, parse(text), one)
     assert '"scale": 9.81' in said
     assert all(not isinstance(check.get("scale"), str) for check in one.checks)
 
@@ -43,7 +48,7 @@ def test_a_set_up_is_recognised_and_its_checks_pass_on_a_run(setup: str, text: s
     level = parse(text)
     found = [one for one in suggestions(level) if one.setup == setup]
     assert len(found) == 1, [one.setup for one in suggestions(level)]
-    checked = parse(take(text, level, found[0]))
+    checked = parse(with_suggestion(text, level, found[0]))
     results = grade(simulate(checked))
     assert len(results) == len(found[0].checks)
     for result in results:
@@ -54,7 +59,7 @@ def test_a_set_up_is_recognised_and_its_checks_pass_on_a_run(setup: str, text: s
 def test_a_check_fails_where_the_scene_is_another_one() -> None:
     """A suggestion for masses of 2 and 3.7 does not hold for 2 and 3.8."""
     text = atwood(2, 3.7)
-    checked = take(text, parse(text), suggestions(parse(text))[0])
+    checked = with_suggestion(text, parse(text), suggestions(parse(text))[0])
     other = put_all(checked, {("bodies", "disc2", "mass"): 3.8})
     assert {result.verdict for result in grade(simulate(parse(other)))} == {"failed"}
 
@@ -64,7 +69,7 @@ def test_a_suggestion_follows_the_parameters() -> None:
     text = make_parameter(atwood(2, 3), ("bodies", "disc1", "mass"), "m1")
     text = make_parameter(text, ("effects", "gravity", "acceleration", 1), "g")
     level = parse(text)
-    checked = parse(take(text, level, suggestions(level)[0]))
+    checked = parse(with_suggestion(text, level, suggestions(level)[0]))
     results = grade(simulate(checked, {**checked.defaults, "m1": 2.2, "g": 9.0}))
     assert {result.verdict for result in results} == {"passed"}
 
@@ -86,7 +91,7 @@ def test_no_lever_is_seen_where_a_weight_does_not_turn_along(text: str) -> None:
 def test_a_lever_holds_with_any_weight() -> None:
     text = make_parameter(seesaw({-2: 0.8, 1.75: 0.5}), ("bodies", "box2", "mass"), "m")
     (one,) = suggestions(parse(text))
-    text = take(text, parse(text), one)
+    text = with_suggestion(text, parse(text), one)
     assert all(holds(text, {"m": m}) for m in (1.3, 2.5, 12.0))
 
 
@@ -101,7 +106,7 @@ def test_no_spring_pendulum_is_seen_that_would_meet_the_ground() -> None:
 def test_what_is_checked_already_is_not_suggested_again() -> None:
     text = atwood(2, 3)
     level = parse(text)
-    taken = take(text, level, suggestions(level)[0])
+    taken = with_suggestion(text, level, suggestions(level)[0])
     assert suggestions(parse(taken)) == []
 
 
@@ -110,7 +115,9 @@ def test_what_is_suggested_of_a_level_that_ships_can_be_taken(name: str) -> None
     text = read(level_catalog.find(name))
     level = parse(text)
     for one in suggestions(level):
-        assert len(parse(take(text, level, one)).checks) == len(level.checks) + len(one.checks)
+        assert len(parse(with_suggestion(text, level, one)).checks) == len(level.checks) + len(
+            one.checks
+        )
 
 
 @pytest.mark.parametrize(
@@ -152,7 +159,7 @@ def test_nothing_is_looked_for_among_a_crowd() -> None:
 
 def with_checks(text: str) -> str:
     level = parse(text)
-    return take(text, level, suggestions(level)[0])
+    return with_suggestion(text, level, suggestions(level)[0])
 
 
 def holds(text: str, values: dict[str, float] | None = None) -> bool:
@@ -164,7 +171,7 @@ def test_suggested_checks_follow_a_mass_that_becomes_a_parameter() -> None:
     text = with_checks(atwood(2, 3))
     changed = make_parameter(text, ("bodies", "disc2", "mass"), "m")
     assert not holds(changed, {"m": 5.0})
-    changed = followed(parse(text), changed)
+    changed = with_updated_checks(parse(text), changed)
     assert all(holds(changed, {"m": m}) for m in (0.6, 1.5, 2.0, 5.0, 15.0))
 
 
@@ -225,13 +232,13 @@ def test_a_slope_has_no_checks_of_sliding_where_it_holds() -> None:
 def test_suggested_checks_go_with_what_they_were_about() -> None:
     text = with_checks(atwood(2, 3))
     slanted = move(text, parse(text), ["disc1"], (0.5, 0.0))
-    assert not parse(followed(parse(text), slanted)).checks
+    assert not parse(with_updated_checks(parse(text), slanted)).checks
 
 
 def test_checks_that_somebody_has_changed_stay_as_they_are() -> None:
     text = put_all(with_checks(atwood(2, 3)), {("checks", 0, "tolerance"): 1e-6})
     changed = put_all(text, {("bodies", "disc2", "mass"): 4})
-    after = parse(followed(parse(text), changed))
+    after = parse(with_updated_checks(parse(text), changed))
     assert [check.tolerance for check in after.checks] == [1e-6, 1e-9, 1e-9]
     assert after.checks[0].formula == parse(text).checks[0].formula
     assert after.checks[1].formula != parse(text).checks[1].formula

@@ -198,6 +198,5 @@ def test_of_a_pile_that_does_not_settle_it_is_said_what_was_seen_to_help() -> No
     scene, large = tower(15, solver="iterative"), tower(1200)
 
     assert leaning_warning(scene, {}, scene.stepping).endswith('"direct"} its forces are found')
-    assert leaning_warning(large, {}, large.stepping).endswith(
-        "it may lean or fall"
-    )  # too many for that
+    # too many for that
+    assert leaning_warning(large, {}, large.stepping).endswith("it may lean or fall")

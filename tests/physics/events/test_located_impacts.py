@@ -698,9 +698,8 @@ def test_what_falls_on_a_belt_gets_mu_times_its_fall_or_the_belts_speed(mu: floa
         ledger.note()
         balance = ledger.balance
 
-    assert world.last.pre_kick_velocity[0, 0] == pytest.approx(
-        speed, rel=1e-8
-    )  # it falls 2e-9 m less
+    # it falls 2e-9 m less
+    assert world.last.pre_kick_velocity[0, 0] == pytest.approx(speed, rel=1e-8)
     assert balance.loss["impacts"] == pytest.approx(2 * G * 1, rel=1e-8)
     slid = balance.loss["friction"] - 2 * (1.5 * speed - speed * speed / 2)  # in the next kick
     assert -1e-7 <= slid <= mu * 2 * G / 60 * 1.5

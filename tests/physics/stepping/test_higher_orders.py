@@ -36,7 +36,7 @@ def test_a_step_reaches_as_far_as_the_trace_of_its_matrix_stays_below_two(
     order: int, *, held: bool
 ) -> None:
     """For x'' = -x: the drifts and kicks of a step add up to 1, and are the same backwards."""
-    drifts, kicks, reach = composition(order, held=held)
+    drifts, kicks, reach = composition(order, is_constrained=held)
 
     def trace(angle: float) -> float:
         step = np.eye(2)

@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import cos, pi, sin
 
-from validation.compose.scene_builder import Draft, held
+from validation.compose.scene_builder import Draft, body_point
 
 
 def pendulum_at_a_wall(draft: Draft) -> None:
@@ -24,7 +24,7 @@ def dumbbell(draft: Draft) -> None:
     """Build two bodies with a rod, a weld or a rope between them, dropped at an angle."""
     draft.surfaces()
     if not draft.friction:
-        draft.free = ("x",)
+        draft.conserved_momenta = ("x",)
     draft.floor()
     lean, long, high = draft.number(-1.4, 1.4), draft.number(0.5, 1.5), draft.number(0.3, 1.5)
     speed = draft.number(-2, 2)
@@ -59,7 +59,9 @@ def ragdoll(draft: Draft) -> None:
     scale, y = draft.number(0.5, 1.5), draft.number(1.5, 2.5)
     trunk = draft.box("trunk", (0, y), (0.3 * scale, 0.6 * scale), draft.mass())
     head = draft.disc("head", (0, y + 0.5 * scale), 0.12 * scale, draft.mass())
-    draft.join("neck", "pivot", held(trunk, 0, 0.34 * scale), held(head, 0, -0.16 * scale))
+    draft.join(
+        "neck", "pivot", body_point(trunk, 0, 0.34 * scale), body_point(head, 0, -0.16 * scale)
+    )
     for side in (-1, 1):
         for name, at, low in (("arm", 0.2, 0.28), ("leg", 0.1, -0.32)):
             limb = f"{name}{'lr'[side > 0]}"
@@ -69,8 +71,9 @@ def ragdoll(draft: Draft) -> None:
             draft.box(limb, place, size, draft.mass())
             top = size[1] / 2 + 0.01 * scale
             draft.join(
-                f"{limb}_joint", "pivot", held(trunk, side * at * scale, (low - 0.01) * scale),
-                held(limb, 0, top),
+                f"{limb}_joint", "pivot",
+                body_point(trunk, side * at * scale, (low - 0.01) * scale),
+                body_point(limb, 0, top),
             )  # fmt: skip
 
 
@@ -95,12 +98,14 @@ def cart_downhill(draft: Draft) -> None:
     for name, side in (("rear", -1), ("front", 1)):
         along = side * (wide / 2 - radius)
         wheel = draft.disc(name, up(along, radius), radius, light)
-        axle = held("chassis", along, radius - base - 0.1)
+        axle = body_point("chassis", along, radius - base - 0.1)
         draft.join(f"{name}_axle", "pivot", axle, wheel)
     if draft.chance():
         block = {"type": "box", "width": 0.3, "height": 0.3}
         draft.add("trailer", block, up(-wide / 2 - 0.6, 0.15), mass=draft.ratio(), angle=-lean)
-        draft.join("bar", draft.pick(("rod", "rope")), held("chassis", -wide / 2, 0), "trailer")
+        draft.join(
+            "bar", draft.pick(("rod", "rope")), body_point("chassis", -wide / 2, 0), "trailer"
+        )
 
 
 def block_and_weight(draft: Draft) -> None:
@@ -140,7 +145,7 @@ def chain_dropped(draft: Draft) -> None:
         if i:
             draft.join(f"joint{i}", kind, f"link{i - 1}", f"link{i}")
     if not draft.friction:
-        draft.free = ("x",)
+        draft.conserved_momenta = ("x",)
 
 
 def train(draft: Draft) -> None:
@@ -178,7 +183,7 @@ def wrecking_ball(draft: Draft) -> None:
 
 def bolas(draft: Draft) -> None:
     """Build bodies tied together that fly about in space, and hit each other."""
-    draft.gravity, draft.free = (0.0, 0.0), ("x", "y", "angle")
+    draft.gravity, draft.conserved_momenta = (0.0, 0.0), ("x", "y", "angle")
     draft.surfaces()
     count = draft.count(2, 4)
     for i in range(count):
@@ -238,9 +243,15 @@ def collapse(draft: Draft) -> None:
         draft.box(f"thigh{name}", (x, 1.5 * long - 0.01), size, draft.mass())
         draft.box(f"shin{name}", (x, 0.5 * long - 0.02), size, draft.mass())
         draft.join(
-            f"hip{name}", "pivot", held("top", x, -0.06), held(f"thigh{name}", 0, long / 2 + 0.01)
+            f"hip{name}",
+            "pivot",
+            body_point("top", x, -0.06),
+            body_point(f"thigh{name}", 0, long / 2 + 0.01),
         )
-        knee = held(f"thigh{name}", 0, -long / 2), held(f"shin{name}", 0, long / 2 + 0.01)
+        knee = (
+            body_point(f"thigh{name}", 0, -long / 2),
+            body_point(f"shin{name}", 0, long / 2 + 0.01),
+        )
         draft.join(f"knee{name}", "pivot", *knee)
     draft.bodies["top"]["velocity"] = [0.0, 0.0]
     draft.disc("load", (0, y + 0.05 + 0.2 + draft.number(0.1, 1)), 0.2, draft.mass())
@@ -256,6 +267,8 @@ def fluid(draft: Draft) -> None:
     }
     for i, mass in enumerate(masses):
         draft.box(f"rod{i}", (0.25 + 0.5 * i, 1.2), (0.4, 0.08), mass)
-    draft.join("nail", "pivot", held("rod0", -0.25, 0), [0, 1.2])
+    draft.join("nail", "pivot", body_point("rod0", -0.25, 0), [0, 1.2])
     for i in (1, 2):
-        draft.join(f"pin{i}", "pivot", held(f"rod{i - 1}", 0.25, 0), held(f"rod{i}", -0.25, 0))
+        draft.join(
+            f"pin{i}", "pivot", body_point(f"rod{i - 1}", 0.25, 0), body_point(f"rod{i}", -0.25, 0)
+        )

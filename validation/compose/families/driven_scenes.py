@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from validation.compose.scene_builder import Draft, held
+from validation.compose.scene_builder import Draft, body_point
 
 
 def motor_car(draft: Draft) -> None:
@@ -16,7 +16,7 @@ def motor_car(draft: Draft) -> None:
     for name, side in (("rear", -1), ("front", 1)):
         x = side * (wide / 2 - radius)
         draft.disc(name, (x, radius), radius, wheel_mass)
-        axle = held(chassis, x, radius - base - 0.1)
+        axle = body_point(chassis, x, radius - base - 0.1)
         if side < 0:
             draft.join("motor", "motor", axle, name, rate=draft.number(-4, -0.5))
         else:

@@ -2,7 +2,7 @@
 
 from math import cos, hypot, pi, sin
 
-from validation.compose.scene_builder import Draft, held
+from validation.compose.scene_builder import Draft, body_point
 
 ROOM = 0.05
 """The least distance between bodies at the start [m]."""
@@ -117,4 +117,4 @@ def _local(draft: Draft, name: str, point: tuple[float, float]) -> object:
     body = draft.bodies[name]
     angle = float(body.get("angle", 0.0))
     dx, dy = point[0] - body["position"][0], point[1] - body["position"][1]
-    return held(name, cos(angle) * dx + sin(angle) * dy, cos(angle) * dy - sin(angle) * dx)
+    return body_point(name, cos(angle) * dx + sin(angle) * dy, cos(angle) * dy - sin(angle) * dx)

@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import cos, sin
 
-from validation.compose.scene_builder import Draft, held
+from validation.compose.scene_builder import Draft, body_point
 
 
 def _untouched(draft: Draft) -> None:
@@ -26,8 +26,8 @@ def pendulums(draft: Draft) -> None:
                 f"bob{i}", {"type": "box", "width": 0.05, "height": long}, (x + dx / 2, y + dy / 2),
                 mass=mass, angle=angle,
             )  # fmt: skip
-            draft.join(f"pin{i}", "pivot", above, held(f"bob{i}", 0, long / 2))
-            above = held(f"bob{i}", 0, -long / 2)
+            draft.join(f"pin{i}", "pivot", above, body_point(f"bob{i}", 0, long / 2))
+            above = body_point(f"bob{i}", 0, -long / 2)
         else:
             draft.disc(f"bob{i}", (x + dx, y + dy), 0.05, mass)
             draft.join(f"rod{i}", "rod", above, f"bob{i}")
@@ -45,12 +45,12 @@ def four_bar(draft: Draft) -> None:
         dx, dy = long * sin(angle), -long * cos(angle)
         shape = {"type": "box", "width": 0.05, "height": long}
         draft.add(name, shape, (x + dx / 2, dy / 2), mass=draft.mass(), angle=angle)
-        draft.join(f"pin_{name}", "pivot", [x, 0], held(name, 0, long / 2))
+        draft.join(f"pin_{name}", "pivot", [x, 0], body_point(name, 0, long / 2))
         ends.append((x + dx, dy))
-    draft.join("coupler", "rod", held("a", 0, -long / 2), held("b", 0, -long / 2))
+    draft.join("coupler", "rod", body_point("a", 0, -long / 2), body_point("b", 0, -long / 2))
     bob = ends[1][0], ends[1][1] - 0.5
     draft.disc("bob", bob, 0.1, draft.mass())
-    draft.join("hanger", "rod", held("b", 0, -long / 2), "bob")
+    draft.join("hanger", "rod", body_point("b", 0, -long / 2), "bob")
 
 
 def springs(draft: Draft) -> None:

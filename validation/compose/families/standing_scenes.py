@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import cos, pi, sin, tan
 
-from validation.compose.scene_builder import Draft, held
+from validation.compose.scene_builder import Draft, body_point
 
 
 def _grip(draft: Draft, needed: float) -> None:
@@ -14,7 +14,7 @@ def _grip(draft: Draft, needed: float) -> None:
 
 def strut(draft: Draft) -> None:
     """Build a heavy body on a light one through a rod, kept upright by a rail and friction."""
-    draft.rests, draft.rotation = True, False
+    draft.is_at_rest, draft.rotation = True, False
     draft.rough(0.2, 1)
     draft.floor()
     size = draft.number(0.1, 0.4)
@@ -28,7 +28,7 @@ def strut(draft: Draft) -> None:
 
 def a_frame(draft: Draft) -> None:
     """Build a load on two rods whose feet are held by friction alone."""
-    draft.rests, draft.rotation = True, draft.chance()
+    draft.is_at_rest, draft.rotation = True, draft.chance()
     spread, high, size = draft.number(0.3, 0.7), draft.number(0.8, 1.5), 0.2
     _grip(draft, spread / (high - size / 2))
     draft.floor()
@@ -43,7 +43,7 @@ def a_frame(draft: Draft) -> None:
 
 def table(draft: Draft) -> None:
     """Build a table top on two welded legs, with loads on it."""
-    draft.rests = True
+    draft.is_at_rest = True
     if draft.chance(0.7):
         draft.rough()
     draft.floor()
@@ -67,7 +67,7 @@ def _loads(draft: Draft, wide: float, base: float, count: int) -> None:
 
 def car(draft: Draft) -> None:
     """Build a loaded chassis on two wheels, at rest on level ground."""
-    draft.rests = True
+    draft.is_at_rest = True
     if draft.chance(0.8):
         draft.rough()
     draft.floor()
@@ -77,13 +77,15 @@ def car(draft: Draft) -> None:
     for name, side in (("rear", -1), ("front", 1)):
         at = side * (wide / 2 - radius)
         wheel = draft.disc(name, (at, radius), radius, draft.number(1, 10))
-        draft.join(f"{name}_axle", "pivot", held(chassis, at, radius - base - thick / 2), wheel)
+        draft.join(
+            f"{name}_axle", "pivot", body_point(chassis, at, radius - base - thick / 2), wheel
+        )
     _loads(draft, wide - 2 * radius, base + thick, draft.count(0, 2) or 1)
 
 
 def ladder(draft: Draft) -> None:
     """Build a ladder between a rough floor and a wall, with a load on a rope."""
-    draft.rests = True
+    draft.is_at_rest = True
     draft.rough(1, 1)
     long, thick, lean = draft.number(2, 4), 0.06, draft.number(58, 75) * pi / 180
     draft.floor()
@@ -100,12 +102,12 @@ def ladder(draft: Draft) -> None:
     rope = 0.35 / cos(lean) * 0.5 + 0.1
     if y - rope > radius + 0.02:
         draft.disc("load", (x, y - rope), radius, draft.scaled(1, 1000))
-        draft.join("rope", "rope", held("ladder", at, 0), "load")
+        draft.join("rope", "rope", body_point("ladder", at, 0), "load")
 
 
 def beam(draft: Draft) -> None:
     """Build a beam on two posts, or on a pin and a post, with loads on it."""
-    draft.rests = True
+    draft.is_at_rest = True
     if draft.chance(0.7):
         draft.rough()
     wide, thick = draft.number(2, 4), 0.1
@@ -113,7 +115,7 @@ def beam(draft: Draft) -> None:
     place = (0, 1 + thick / 2)
     draft.box("beam", place, (wide, thick), draft.number(1, 20))
     if draft.chance():
-        draft.join("pin", "pivot", held("beam", -wide / 2, 0), [-wide / 2, place[1]])
+        draft.join("pin", "pivot", body_point("beam", -wide / 2, 0), [-wide / 2, place[1]])
     else:
         draft.block("left", (-wide / 2 + 0.1, 0.5), (0.2, 1))
     _loads(draft, wide - 0.6, 1 + thick, draft.count(1, 3))
@@ -121,7 +123,7 @@ def beam(draft: Draft) -> None:
 
 def dumbbell_at_rest(draft: Draft) -> None:
     """Build two boxes on the floor, with a rod, a weld or a taut rope between them."""
-    draft.rests = True
+    draft.is_at_rest = True
     if draft.chance():
         draft.rough()
     draft.floor()
@@ -133,7 +135,7 @@ def dumbbell_at_rest(draft: Draft) -> None:
 
 def bracket(draft: Draft) -> None:
     """Build boxes welded to each other and to the plane, with loads on them."""
-    draft.rests = True
+    draft.is_at_rest = True
     if draft.chance(0.7):
         draft.rough()
     count, wide, thick = draft.count(1, 3), 0.5, 0.2
@@ -150,7 +152,7 @@ def bracket(draft: Draft) -> None:
 
 def scissor(draft: Draft) -> None:
     """Build a scissor lift with a load on its platform, its feet held at a distance."""
-    draft.rests = True
+    draft.is_at_rest = True
     if draft.chance(0.7):
         draft.rough()
     half, lean, stages = draft.number(0.4, 0.8), draft.number(30, 60) * pi / 180, draft.count(1, 2)
@@ -164,16 +166,16 @@ def scissor(draft: Draft) -> None:
             draft.disc(name, place, 0.02, draft.number(1, 2), moment=0.1)
             names.append(name)
         a, b = names[-2:]
-        draft.join(f"middle{stage}", "pivot", held(a, -0.05, 0), held(b, 0.05, 0))
+        draft.join(f"middle{stage}", "pivot", body_point(a, -0.05, 0), body_point(b, 0.05, 0))
     ends = {1: (-0.05 + x, y), -1: (-0.05 - x, -y), 2: (0.05 - x, y), -2: (0.05 + x, -y)}
     for stage in range(stages - 1):
         low, high = f"rising{stage}", f"falling{stage + 1}"
-        draft.join(f"right{stage}", "pivot", held(low, *ends[1]), held(high, *ends[-2]))
+        draft.join(f"right{stage}", "pivot", body_point(low, *ends[1]), body_point(high, *ends[-2]))
         low, high = f"falling{stage}", f"rising{stage + 1}"
-        draft.join(f"left{stage}", "pivot", held(low, *ends[2]), held(high, *ends[-1]))
-    draft.join("foot", "pivot", held("rising0", *ends[-1]), [-x, 0])
-    draft.join("track", "rail", held("falling0", *ends[-2]), [x, 0], direction=[1, 0])
-    draft.join("bar", "rod", held("rising0", *ends[-1]), held("falling0", *ends[-2]))
+        draft.join(f"left{stage}", "pivot", body_point(low, *ends[2]), body_point(high, *ends[-1]))
+    draft.join("foot", "pivot", body_point("rising0", *ends[-1]), [-x, 0])
+    draft.join("track", "rail", body_point("falling0", *ends[-2]), [x, 0], direction=[1, 0])
+    draft.join("bar", "rod", body_point("rising0", *ends[-1]), body_point("falling0", *ends[-2]))
     _platform(draft, x, 2 * stages * y, stages - 1, ends)
 
 
@@ -183,10 +185,10 @@ def _platform(
     """Put a platform on a lift, and a load on it."""
     thick = 0.1
     draft.box("platform", (0, y + thick), (2 * x + 0.2, thick), draft.number(1, 5))
-    top = held("platform", -x, -thick)
-    draft.join("top_pin", "pivot", held(f"falling{stage}", *ends[2]), top)
-    slide = held(f"rising{stage}", *ends[1])
-    draft.join("top_track", "rail", slide, held("platform", x, -thick), direction=[1, 0])
+    top = body_point("platform", -x, -thick)
+    draft.join("top_pin", "pivot", body_point(f"falling{stage}", *ends[2]), top)
+    slide = body_point(f"rising{stage}", *ends[1])
+    draft.join("top_track", "rail", slide, body_point("platform", x, -thick), direction=[1, 0])
     size = draft.number(0.1, 0.4)
     place = (draft.number(-0.5, 0.5) * x, y + 1.5 * thick + size / 2)
     draft.box("load", place, (size, size), draft.ratio())
@@ -194,7 +196,7 @@ def _platform(
 
 def wedged(draft: Draft) -> None:
     """Build a box on an incline, held by friction and by a weight over a peg at the top."""
-    draft.rests = True
+    draft.is_at_rest = True
     lean = draft.number(10, 40) * pi / 180
     _grip(draft, tan(lean))
     half = draft.number(0.1, 0.3)

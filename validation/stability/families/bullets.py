@@ -29,7 +29,7 @@ def shot(times: float, rate: float = 240) -> Document:
     )
 
 
-def returns(run: Run) -> float:
+def has_passed(run: Run) -> float:
     """Return 1 if a bullet still flies on at the end, else 0."""
     return float(measured(run, "bullet.velocity.x")[-1] > 0)
 
@@ -41,12 +41,12 @@ def cases() -> Iterator[HardCase]:
     """Yield the bullets."""
     yield HardCase(
         name="a bullet of 0.9 widths a step", group="C", level="hard/bullet-at-0.9",
-        criterion="it comes back from the wall, whatever it was into it", figure=returns, bound=0,
-        every_step=True,
+        criterion="it comes back from the wall, whatever it was into it", figure=has_passed,
+        bound=0, every_step=True,
     )  # fmt: skip
     yield HardCase(
         name="a bullet of 10 widths a step", group="D", level="hard/bullet-at-10",
-        criterion="it comes back from the wall", figure=returns, bound=0, every_step=True,
+        criterion="it comes back from the wall", figure=has_passed, bound=0, every_step=True,
     )  # fmt: skip
 
 
@@ -54,6 +54,6 @@ def frontiers() -> Iterator[Frontier]:
     """Yield the frontier of a bullet's speed."""
     yield Frontier(
         name="the speed of a bullet", axis="widths a step", scene=shot,
-        figure=returns, bound=0, criterion="it comes back from the wall", start=0.1, end=1e4,
+        figure=has_passed, bound=0, criterion="it comes back from the wall", start=0.1, end=1e4,
         duration=5 / 240,
     )  # fmt: skip

@@ -69,15 +69,15 @@ def sag(run: Run) -> float:
     return float(abs(-run.states.position[..., 1].min() / expected - 1))
 
 
-def of_link(run: Run) -> float:
+def link_error(run: Run) -> float:
     """Return the largest relative error of a link's length."""
     first = next(iter(run.level.joints.values()))
     return separation(run) / span(first, run.level.bodies, run.level.defaults)
 
 
-def swings_true(run: Run) -> float:
+def worst_error(run: Run) -> float:
     """Return the larger of the errors in energy and in length."""
-    return max(energy(run), of_link(run))
+    return max(energy(run), link_error(run))
 
 
 LEVELS = {"20-links-1e5": lambda: chain(20, 1e5)}
@@ -87,16 +87,16 @@ def cases() -> Iterator[HardCase]:
     """Yield the chains that must hold."""
     yield HardCase(
         name="40 links, the ball 672 times a link", group="C",
-        level="hard/ball-and-chain", criterion=KEEPS, figure=of_link, bound=HOLDS,
+        level="hard/ball-and-chain", criterion=KEEPS, figure=link_error, bound=HOLDS,
         duration=10, quick=1,
     )  # fmt: skip
     yield HardCase(
         name="1 g that holds 1 kg", group="C", level="hard/light-link",
-        criterion=KEEPS, figure=of_link, bound=HOLDS, duration=5, quick=1,
+        criterion=KEEPS, figure=link_error, bound=HOLDS, duration=5, quick=1,
     )  # fmt: skip
     yield HardCase(
         name="20 links with 1e5 times their mass: length", group="D",
-        level="hard/20-links-1e5", criterion=KEEPS, figure=of_link, bound=HOLDS, duration=3,
+        level="hard/20-links-1e5", criterion=KEEPS, figure=link_error, bound=HOLDS, duration=3,
         quick=0.3,
     )  # fmt: skip
     yield HardCase(
@@ -107,13 +107,14 @@ def cases() -> Iterator[HardCase]:
     )  # fmt: skip
     yield HardCase(
         name="a bridge of 160 links under a load", group="C",
-        level="hard/bridge-of-160", criterion=KEEPS, figure=of_link, bound=HOLDS, duration=2,
+        level="hard/bridge-of-160", criterion=KEEPS, figure=link_error, bound=HOLDS, duration=2,
         quick=0.3,
     )  # fmt: skip
     # Its upper row is taut between two corners, which exact rods refuse: its rods are pymunk's own.
     yield HardCase(
         name="a net of 20 by 20 joints under a load", group="C",
-        level="hard/net-of-20", criterion=KEEPS, figure=of_link, bound=HOLDS, duration=2, quick=0.3,
+        level="hard/net-of-20", criterion=KEEPS, figure=link_error, bound=HOLDS, duration=2,
+        quick=0.3,
     )  # fmt: skip
     yield HardCase(
         name="a chain of 40 links at rest", group="B", level="hard/hanging-chain",
@@ -126,11 +127,11 @@ def frontiers() -> Iterator[Frontier]:
     """Yield the frontiers of chains."""
     yield Frontier(
         name="a load on 20 links", axis="load, of a link",
-        scene=lambda load: chain(20, load, rate=5000), figure=swings_true, bound=TRUE,
+        scene=lambda load: chain(20, load, rate=5000), figure=worst_error, bound=TRUE,
         criterion=SWINGS, start=1, end=1e7, duration=2,
     )  # fmt: skip
     yield Frontier(
         name="a load of 1000 on a chain", axis="links", whole=True,
-        scene=lambda n: chain(round(n), 1000, rate=2000), figure=swings_true, bound=TRUE,
+        scene=lambda n: chain(round(n), 1000, rate=2000), figure=worst_error, bound=TRUE,
         criterion=SWINGS, start=2, end=80, duration=2,
     )  # fmt: skip

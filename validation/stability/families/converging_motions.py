@@ -47,7 +47,7 @@ def orbit(rate: float = 480) -> Document:
     )
 
 
-def strays(run: Run) -> float:
+def distance_from_orbit(run: Run) -> float:
     """Return the largest distance of a planet from Kepler's ellipse, relative to its perihelion."""
     expected = np.stack(kepler_place(NEAR, ECCENTRICITY, PULL, run.states.t), axis=1)
     apart = run.states.position[:, 0] - expected
@@ -71,7 +71,7 @@ def pendulum(degrees: float, rate: float = RATE, far: float = 0.0) -> Document:
     )
 
 
-def swings(run: Run) -> float:
+def angle_error(run: Run) -> float:
     """Return the error of a pendulum's angle, relative to its amplitude.
 
     The period is from the complete elliptic integral, the motion within it by Runge and Kutta.
@@ -90,7 +90,7 @@ def _falls(y: Array) -> Array:
     return np.array([y[1], -G * np.sin(y[0])])
 
 
-def double(run: Run) -> float:
+def distance_from_reference(run: Run) -> float:
     """Return the distance of a double pendulum's bobs from the Euler-Lagrange solution [m]."""
     start = np.radians(run.level.defaults["angle"])
     a, b = solution(_double, np.array([start, start, 0.0, 0.0]), run.states.t)[:2]
@@ -113,7 +113,7 @@ def _double(y: Array) -> Array:
     return np.concatenate(([u, w], np.linalg.solve(matrix, right)))
 
 
-def damped(run: Run) -> float:
+def damped_error(run: Run) -> float:
     """Return the error of a damped spring from its closed form, relative to its amplitude."""
     p = run.level.defaults
     true = 1 + damped_oscillation(run.states.t, 2.0, 50.0, p["c"], p["A"])
@@ -144,7 +144,7 @@ def stiff(share: float = 1.99, rate: float = RATE) -> Document:
     )
 
 
-def swells(run: Run) -> float:
+def largest_swing(run: Run) -> float:
     """Return the largest displacement of a spring, relative to its initial amplitude."""
     return float(np.abs(measured(run, "block.position.x") - 1).max() / 0.01)
 
@@ -194,12 +194,12 @@ def _orbits_and_pendulums() -> Iterator[HardCase]:
             name=f"a pendulum of {degrees}° for 60 s", group="B",
             level=f"hard/pendulum-of-{degrees}", duration=60, quick=10,
             criterion="the angle from that of the elliptic integral, of the amplitude; its error "
-            "grows with time and with dt²", figure=swings, bound=bound, order=SECOND,
+            "grows with time and with dt²", figure=angle_error, bound=bound, order=SECOND,
         )  # fmt: skip
     yield HardCase(
         name="a double pendulum, 3 s", group="B", level="lagrange/double-pendulum",
         criterion="places [m] from those of the Euler-Lagrange equations, by Runge and Kutta",
-        figure=double, bound=1e-2, order=SECOND,
+        figure=distance_from_reference, bound=1e-2, order=SECOND,
     )  # fmt: skip
     yield HardCase(
         name="a double pendulum, a million steps", group="C",
@@ -212,13 +212,13 @@ def _springs() -> Iterator[HardCase]:
     for c, about in ((3.0, "a damped"), (20.0, "a critically damped"), (60.0, "an overdamped")):
         yield HardCase(
             name=f"{about} spring", group="B", level="energy/damped-spring",
-            parameters={"c": c}, criterion="the closed form, of the amplitude", figure=damped,
+            parameters={"c": c}, criterion="the closed form, of the amplitude", figure=damped_error,
             bound=1e-3, order=SECOND,
         )  # fmt: skip
     yield HardCase(
         name="a spring at ω dt = 1.99", group="B", level="hard/spring-at-its-limit",
         criterion="leapfrog's ellipse: at most 1/√(1 - (ω dt/2)²) times the amplitude",
-        figure=swells, bound=1.01 / np.sqrt(1 - (1.99 / 2) ** 2), duration=60, quick=10,
+        figure=largest_swing, bound=1.01 / np.sqrt(1 - (1.99 / 2) ** 2), duration=60, quick=10,
         every_step=True,
     )  # fmt: skip
     yield HardCase(
@@ -248,7 +248,7 @@ def frontiers() -> Iterator[Frontier]:
     """Yield the frontiers of a step's length and a spring's stiffness."""
     yield Frontier(
         name="the step of an orbit", axis="step", unit="s",
-        scene=lambda dt: orbit(1 / dt), figure=strays, bound=0.01,
+        scene=lambda dt: orbit(1 / dt), figure=distance_from_orbit, bound=0.01,
         criterion="a hundredth of the perihelion from Kepler's ellipse after two turns",
         start=1e-3, end=0.1, duration=2 * YEAR,
     )  # fmt: skip
@@ -264,6 +264,6 @@ def frontiers() -> Iterator[Frontier]:
     )  # fmt: skip
     yield Frontier(
         name="the stiffness of a spring", axis="stiffness", unit="N/m",
-        scene=lambda k: stiff(float(np.sqrt(k)) / RATE), figure=swells, bound=2.0,
+        scene=lambda k: stiff(float(np.sqrt(k)) / RATE), figure=largest_swing, bound=2.0,
         criterion="it never swings twice as far as at its start", start=1e3, end=1e12, duration=1,
     )  # fmt: skip

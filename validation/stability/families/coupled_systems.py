@@ -210,9 +210,9 @@ def creeps(run: Run) -> float:
     """
     links = sum(name.startswith("held_knot") for name in run.level.bodies) - 1
     height = run.states.position[:, rows(run, "held_large", "slips_large"), 1]
-    way = _slipping(mass(run, "slips_large"), links) * run.states.t**2 / 2
-    off = height[0] - height - np.stack((np.zeros_like(way), way), axis=1)
-    return float(np.abs(off).max() / way[-1])
+    distance = _slipping(mass(run, "slips_large"), links) * run.states.t**2 / 2
+    off = height[0] - height - np.stack((np.zeros_like(distance), distance), axis=1)
+    return float(np.abs(off).max() / distance[-1])
 
 
 LEVELS = {

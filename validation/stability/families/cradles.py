@@ -38,7 +38,7 @@ def cradle(count: int, coming: int = 1, gap: float = 0.0) -> Document:
     )
 
 
-def leaves(run: Run) -> float:
+def velocity_error(run: Run) -> float:
     """Return the largest error of the final velocities from the mirrored initial ones [m/s]."""
     velocity = run.states.velocity
     return float(np.abs(velocity[-1, :, 0] - velocity[0, ::-1, 0]).max())
@@ -53,12 +53,12 @@ def cases() -> Iterator[HardCase]:
         for gap in (0.0, 1e-9):
             yield HardCase(
                 name=f"a cradle of five, {coming} in, gap {gap:g} m", group="A",
-                level="hard/cradle-of-five", criterion=LEAVE, figure=leaves, bound=1e-6,
+                level="hard/cradle-of-five", criterion=LEAVE, figure=velocity_error, bound=1e-6,
                 duration=0.9, scene=cradle(5, coming, gap),
             )  # fmt: skip
     yield HardCase(
         name="a cradle of 50 balls that touch", group="D",
-        level="hard/cradle-of-50", criterion=LEAVE, figure=leaves, bound=1e-6, duration=0.9,
+        level="hard/cradle-of-50", criterion=LEAVE, figure=velocity_error, bound=1e-6, duration=0.9,
     )  # fmt: skip
     yield HardCase(
         name="a hanging cradle of 20: energy", group="C",
@@ -72,6 +72,6 @@ def frontiers() -> Iterator[Frontier]:
     """Yield the frontier of a cradle's length."""
     yield Frontier(
         name="a cradle that touches", axis="balls", whole=True,
-        scene=lambda n: cradle(round(n)), figure=leaves, bound=1e-6, criterion=LEAVE, start=2,
-        end=50, duration=0.9,
+        scene=lambda n: cradle(round(n)), figure=velocity_error, bound=1e-6, criterion=LEAVE,
+        start=2, end=50, duration=0.9,
     )  # fmt: skip

@@ -37,8 +37,8 @@ def atwood(run: Run) -> float:
     """Return the error of an Atwood machine from its closed form, relative to its distance."""
     p, t = run.level.defaults, run.states.t
     y = measured(run, "left.position.y")
-    way = (p["m2"] - p["m1"]) * p["g"] / (p["m1"] + p["m2"]) * t**2 / 2
-    return float(np.abs(y - y[0] - way).max() / np.abs(way).max())
+    distance = (p["m2"] - p["m1"]) * p["g"] / (p["m1"] + p["m2"]) * t**2 / 2
+    return float(np.abs(y - y[0] - distance).max() / np.abs(distance).max())
 
 
 def rolls(run: Run) -> float:

@@ -70,7 +70,7 @@ def pyramid(overlap: float, rows: int = 4) -> Document:
     )
 
 
-def topples(run: Run) -> float:
+def apex_displacement(run: Run) -> float:
     """Return the distance of an apex from its place at the end [m]."""
     rows = 6
     names = list(run.level.bodies)
@@ -78,7 +78,7 @@ def topples(run: Run) -> float:
     return float(np.abs(run.states.position[-1, apexes, 1] - (rows - 0.5)).max())
 
 
-def flies(run: Run) -> float:
+def greatest_height(run: Run) -> float:
     """Return the greatest height of a box above a pyramid that has parted [m]."""
     rows = max(int(name[3:].split("_")[0]) for name in run.level.bodies if name != "ground")
     return float(run.states.position[..., 1].max() - (rows - 0.5))
@@ -138,12 +138,12 @@ def _pyramids() -> Iterator[HardCase]:
         name="three pyramids with heavy apexes, dropped", group="C",
         level="hard/three-pyramids", duration=6, quick=6,
         criterion="each apex ends where it lies on its pyramid, to a twentieth of a box",
-        figure=topples, bound=SINKS,
+        figure=apex_displacement, bound=SINKS,
     )  # fmt: skip
     yield HardCase(
         name="a pyramid with overlaps of 25 %", group="C",
         level="hard/deep-overlap", duration=5,
-        criterion="no box rises half a box above a pyramid that has parted", figure=flies,
+        criterion="no box rises half a box above a pyramid that has parted", figure=greatest_height,
         bound=PARTS,
     )  # fmt: skip
     yield HardCase(
@@ -173,7 +173,7 @@ def frontiers() -> Iterator[Frontier]:
     )  # fmt: skip
     yield Frontier(
         name="boxes made in each other", axis="overlap",
-        scene=pyramid, figure=flies, bound=PARTS,
+        scene=pyramid, figure=greatest_height, bound=PARTS,
         criterion="no box rises half a box above a pyramid that has parted", start=0.02, end=0.9,
         duration=3,
     )  # fmt: skip

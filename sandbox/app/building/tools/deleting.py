@@ -31,7 +31,7 @@ class DeleteTool(Tool):
             name = part[1]
 
             def edit(text: str, level: Level) -> str:
-                return bodies.take_out(text, level, [name])
+                return bodies.remove_parts(text, level, [name])
 
             self._bench.change(say("delete {names}", names=name), edit)
         self._under = None

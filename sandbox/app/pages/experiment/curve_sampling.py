@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sandbox.experiments.experiment_file import made
+from sandbox.experiments.experiment_file import parsed
 from sandbox.experiments.make_plan import make
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.row_runs import measured
@@ -71,7 +71,7 @@ def _plan(level: Level, values: Values, parameter: str, measure: str) -> Plan:
         "measure": [measure],
         "set": {name: value for name, value in values.items() if name != parameter},
     }
-    experiment, faults = made(given)
+    experiment, faults = parsed(given)
     if experiment is not None:
         plan, faults = make(experiment, level.title, level)
         if not faults:

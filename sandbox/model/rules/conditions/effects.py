@@ -53,23 +53,25 @@ def fields(level: Level) -> Iterator[Condition]:
     """Yield the conditions on the formulas of fields and potentials at the start."""
     dynamic = tuple(name for name, body in level.bodies.items() if body.type == "dynamic")
     starts = cache(partial(_Starts, level))
-    for effect, place, said in level.effects.settings:
+    for effect, effect_path, settings in level.effects.settings:
         if effect.name not in ("field", "potential"):
             continue
-        start = starts(dynamic if said.bodies is None else tuple(said.bodies))
-        for path, formula in _formulas(said, place):
+        start = starts(dynamic if settings.bodies is None else tuple(settings.bodies))
+        for path, formula in _formulas(settings, effect_path):
             needed = frozenset((formula.names | start.names) & level.parameters.keys())
             yield Condition(path, needed, partial(_lost, formula, start), 20 * len(start.bodies))
 
 
-def _formulas(said: Field | Potential, place: Path) -> Iterator[tuple[Path, Function]]:
+def _formulas(settings: Field | Potential, effect_path: Path) -> Iterator[tuple[Path, Function]]:
     """Yield the formulas that must have a value, including the gradient of a potential."""
-    if isinstance(said, Field):
-        yield from (((*place, "force", axis), part) for axis, part in enumerate(said.force))
+    if isinstance(settings, Field):
+        yield from (
+            ((*effect_path, "force", axis), part) for axis, part in enumerate(settings.force)
+        )
     else:
-        energy = said.energy
+        energy = settings.energy
         slopes = (energy.slope("x"), energy.slope("y"))
-        yield from (((*place, "energy"), formula) for formula in (energy, *slopes))
+        yield from (((*effect_path, "energy"), formula) for formula in (energy, *slopes))
 
 
 def _lost(formula: Function, start: _Starts, values: Values) -> Message | None:
@@ -128,29 +130,29 @@ def singular_forces(level: Level) -> Iterator[Condition]:
     """Yield the conditions that bodies start away from those that act on them, and from centres."""
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     for index, center in enumerate(level.effects.attraction or ()):
-        places = {name: level.bodies[name].position for name in dynamic}
-        names = names_in((center.center, center.power, *places.values()))
-        wrong = partial(_centre_fault, center, places)
+        positions = {name: level.bodies[name].position for name in dynamic}
+        names = names_in((center.center, center.power, *positions.values()))
+        wrong = partial(_centre_fault, center, positions)
         yield Condition(
-            ("effects", "attraction", index, "center"), names, wrong, 10 + 5 * len(places)
+            ("effects", "attraction", index, "center"), names, wrong, 10 + 5 * len(positions)
         )
-    for effect, place, said in level.effects.settings:
+    for effect, effect_path, settings in level.effects.settings:
         if effect.is_singular:
-            soft = getattr(said, effect.softening) if effect.softening else None
-            places = {n: level.bodies[n].position for n in bodies_of_effect(level, said)}
-            names = names_in((soft, *places.values()))
-            wrong = partial(_meeting_fault, effect, soft, places)
-            yield Condition(place, names, wrong, 10 + 5 * len(places))
+            soft = getattr(settings, effect.softening) if effect.softening else None
+            positions = {n: level.bodies[n].position for n in bodies_of_effect(level, settings)}
+            names = names_in((soft, *positions.values()))
+            wrong = partial(_meeting_fault, effect, soft, positions)
+            yield Condition(effect_path, names, wrong, 10 + 5 * len(positions))
 
 
 def _meeting_fault(
-    effect: Effect, soft: Expression | None, places: Mapping[str, Point], values: Values
+    effect: Effect, soft: Expression | None, positions: Mapping[str, Point], values: Values
 ) -> Message | None:
     """Without softening, no force is defined between bodies at the same position."""
     found: dict[tuple[float, float], str] = {}
     if soft is not None and soft(values):
         return None
-    for name, point in places.items():
+    for name, point in positions.items():
         x, y = evaluate(point, values)
         other = found.setdefault((round(x, 9), round(y, 9)), name)
         if other != name:
@@ -171,12 +173,14 @@ def _advice(effect: Effect) -> Message:
     return Message("move one of them")
 
 
-def _centre_fault(pull: Attraction, places: Mapping[str, Point], values: Values) -> Message | None:
+def _centre_fault(
+    pull: Attraction, positions: Mapping[str, Point], values: Values
+) -> Message | None:
     """No force is defined at a centre, unless it grows with the distance."""
     if pull.power(values) <= -1:
         return None
     x, y = evaluate(pull.center, values)
-    for name, point in places.items():
+    for name, point in positions.items():
         if dist(evaluate(point, values), (x, y)) <= NEAR:
             return Message(
                 "'{name}' starts at the centre, where the attraction has no direction",

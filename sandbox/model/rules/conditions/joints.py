@@ -130,11 +130,11 @@ def _way_fault(
     fault = _direction_fault(joint, values)
     if fault or isinstance(joint, Rack):
         return fault
-    way = complex(*evaluate(joint.direction, values))
+    direction = complex(*evaluate(joint.direction, values))
     first, second = (end_position(end, level.bodies, values) for end in joint.ends)
     if isinstance(joint, Slot):
-        way *= exp(1j * level.bodies[str(body_of(joint.ends[1]))].angle(values))
-    beyond = (first - second) * way.conjugate() / abs(way)
+        direction *= exp(1j * level.bodies[str(body_of(joint.ends[1]))].angle(values))
+    beyond = (first - second) * direction.conjugate() / abs(direction)
     if isinstance(joint, Stop):
         return _stop_fault(joint, beyond.real, values)
     return _rail_fault(joint, beyond.imag)
@@ -155,35 +155,35 @@ def _rail_fault(joint: Rail | Slot, aside: float) -> Message | None:
 
 
 def _stop_fault(stop: Stop, along: float, values: Values) -> Message | None:
-    least, most = (limit(values) for limit in stop.range)
-    return _range_fault(along, (least, most), "m")
+    lower, upper = (limit(values) for limit in stop.range)
+    return _range_fault(along, (lower, upper), "m")
 
 
 def _angle_fault(stop: AngleStop, level: Level, values: Values) -> Message | None:
     names = [body_of(end) for end in stop.ends]
     first, second = (0.0 if n is None else level.bodies[n].angle(values) for n in names)
-    least, most = (limit(values) for limit in stop.range)
-    return _range_fault(second - first, (least, most), "rad")
+    lower, upper = (limit(values) for limit in stop.range)
+    return _range_fault(second - first, (lower, upper), "rad")
 
 
 def _range_fault(start: float, limits: tuple[float, float], unit: str) -> Message | None:
     """Say that a coordinate does not start between its two stops."""
-    least, most = limits
-    if not least < most:
+    lower, upper = limits
+    if not lower < upper:
         return Message(
             "a 'range' must go from the smaller to the larger value, not from {least:g} to"
             " {most:g}",
-            least=least,
-            most=most,
+            least=lower,
+            most=upper,
         )
-    if least - NEAR <= start <= most + NEAR:
+    if lower - NEAR <= start <= upper + NEAR:
         return None
     return Message(
         "it starts at {start:g} {unit}, beyond the stops at {least:g} and {most:g} {unit}",
         start=start,
         unit=unit,
-        least=least,
-        most=most,
+        least=lower,
+        most=upper,
     )
 
 

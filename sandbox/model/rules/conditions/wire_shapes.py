@@ -197,13 +197,13 @@ def _cross(a: Points, b: Points) -> Array:
     return a.real * b.imag - a.imag * b.real  # with real numbers, in half the time
 
 
-def _distance(wire: Wire, place: complex, values: Values) -> float:
+def _distance(wire: Wire, point: complex, values: Values) -> float:
     """Return the distance of a point from a wire [m], by successive refinement."""
     first, last = (end(values) for end in wire.s)
     low, high = first, last
     for zoom in range(ZOOMS):
         s = np.linspace(low, high, (64 if zoom else PIECES) + 1)
-        away = np.abs(points_at(wire, values, s) - place)
+        away = np.abs(points_at(wire, values, s) - point)
         nearest = int(away.argmin())
         low, high = s[max(nearest - 1, 0)], s[min(nearest + 1, len(s) - 1)]
     return float(away.min())

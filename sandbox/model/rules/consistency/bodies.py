@@ -63,11 +63,14 @@ def motions_fit(level: Level) -> Iterator[Fault]:
 
 def rise_and_fall(level: Level) -> Iterator[Fault]:
     """Refuse apexes of bodies with constant velocity, and landings of bodies at rest."""
-    still: Mapping[str, tuple[str, ...]] = {"apex": ("static", "kinematic"), "landing": ("static",)}
+    static: Mapping[str, tuple[str, ...]] = {
+        "apex": ("static", "kinematic"),
+        "landing": ("static",),
+    }
     for path, at in instants(level):
         if isinstance(at, ApexEvent | LandingEvent):
             body = level.bodies.get(at.body)
-            if body and body.type in still[at.event]:
+            if body and body.type in static[at.event]:
                 rule = Message(
                     "'{body}' is {type}, so its {event} never happens",
                     body=brief(at.body),
@@ -190,8 +193,8 @@ def _pieces(shape: Shape) -> int:
 
 def points_fit(level: Level) -> Iterator[Fault]:
     """Points of bodies do not have the names of quantities."""
-    for body, said in level.bodies.items():
-        for name in sorted(ATTRIBUTES_OF_BODIES.intersection(said.points)):
+    for body, written in level.bodies.items():
+        for name in sorted(ATTRIBUTES_OF_BODIES.intersection(written.points)):
             rule = Message(
                 "'{name}' is a quantity of the body itself; choose another name", name=name
             )

@@ -68,13 +68,13 @@ def goals_can_be_met(level: Level) -> Iterator[Fault]:
             if not goal.above.names | goal.below.names <= values.keys():
                 continue  # unknown parameters and missing values are reported elsewhere
             try:
-                least, most = goal.above(values), goal.below(values)
+                lower, upper = goal.above(values), goal.below(values)
             except ExpressionError:
                 continue
-            if least > most:
+            if lower > upper:
                 rule = Message(
                     "is {least:g}, but 'below' is {most:g}: no value can meet both",
-                    least=least,
-                    most=most,
+                    least=lower,
+                    most=upper,
                 )
                 yield Fault(("challenge", kind, index, "above"), rule)

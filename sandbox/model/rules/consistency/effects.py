@@ -20,10 +20,10 @@ from sandbox.model.translatable_message import Message, either, word
 
 def laws_act(level: Level) -> Iterator[Fault]:
     """Effects do something, and the bodies that forces act on can move."""
-    for effect, place, said in level.effects.settings:
-        if effect.needs and all(getattr(said, field).source == 0 for field in effect.needs):
+    for effect, effect_path, settings in level.effects.settings:
+        if effect.needs and all(getattr(settings, field).source == 0 for field in effect.needs):
             rule = Message("needs {needs} greater than 0", needs=either(map(repr, effect.needs)))
-            yield Fault(place, rule)
+            yield Fault(effect_path, rule)
     for path, name in acted_on(level):
         if (kind := level.bodies[name].type) != "dynamic":
             yield Fault(
@@ -36,15 +36,15 @@ def laws_act(level: Level) -> Iterator[Fault]:
 
 def partners_exist(level: Level) -> Iterator[Fault]:
     """Effects that act between bodies have at least two of them."""
-    for effect, place, said in level.effects.settings:
-        if effect.is_internal and len(only := bodies_of_effect(level, said)) == 1:
+    for effect, path, settings in level.effects.settings:
+        if effect.is_internal and len(only := bodies_of_effect(level, settings)) == 1:
             rule = Message(
                 "'{effect}' acts between bodies, but '{name}' is the only one; for a fixed centre,"
                 " use 'attraction'",
                 effect=effect.name,
                 name=brief(only[0]),
             )
-            yield Fault(place, rule)
+            yield Fault(path, rule)
 
 
 def effects_used(level: Level) -> Iterator[Fault]:
@@ -63,14 +63,14 @@ def effects_used(level: Level) -> Iterator[Fault]:
 
 def turned_apart(level: Level) -> Iterator[Fault]:
     """Torques act on bodies that can turn, and between two different ones."""
-    for effect, place, said in level.effects.settings:
+    for effect, path, settings in level.effects.settings:
         if effect.name not in ("torque", "torsion"):
             continue
-        if said.against == said.body:
-            rule = Message("'{body}' cannot be turned against itself", body=brief(said.body))
-            yield Fault((*place, "against"), rule)
+        if settings.against == settings.body:
+            rule = Message("'{body}' cannot be turned against itself", body=brief(settings.body))
+            yield Fault((*path, "against"), rule)
         if level.effects.rotation is None:
-            yield undeclared(place, effect.name, "rotation")
+            yield undeclared(path, effect.name, "rotation")
 
 
 def rotation_used(level: Level) -> Iterator[Fault]:
@@ -135,9 +135,9 @@ def landscape_fits(level: Level) -> Iterator[Fault]:
             type=word(body.type),
         )
         yield Fault(("view", "landscape", "body"), rule)
-    if (place := landscape.potential.variable) in level.parameters:
+    if (variable := landscape.potential.variable) in level.parameters:
         rule = Message(
             "'{place}' is the position in the landscape's potential; choose another name",
-            place=place,
+            place=variable,
         )
-        yield Fault(("parameters", place), rule)
+        yield Fault(("parameters", variable), rule)

@@ -55,9 +55,9 @@ def acted_on(level: Level) -> Iterator[tuple[Path, str]]:
     return ((path, name) for path, name, mention in mentions(level) if mention.acted_on)
 
 
-def bodies_of_effect(level: Level, said: Model) -> Sequence[str]:
+def bodies_of_effect(level: Level, settings: Model) -> Sequence[str]:
     """Return the bodies that an effect acts on: those that it names, else all dynamic ones."""
-    named = [name for _, name, mention in mentions(said) if mention.acted_on]
+    named = [name for _, name, mention in mentions(settings) if mention.acted_on]
     dynamic = (name for name, body in level.bodies.items() if body.type == "dynamic")
     return tuple(dict.fromkeys(named or dynamic))
 
@@ -82,4 +82,8 @@ def bodies_of_flows(level: Level) -> Iterator[tuple[Path, str]]:
 
 def coefficients(level: Level) -> dict[str, Friction | Restitution]:
     """Return the effects that have a coefficient for each body."""
-    return {effect.name: said for effect, _, said in level.effects.settings if effect.coefficient}
+    return {
+        effect.name: settings
+        for effect, _, settings in level.effects.settings
+        if effect.coefficient
+    }

@@ -47,8 +47,8 @@ MOST_HOLLOW = 100_000
 
 def not_too_many_pulls(level: Level) -> Iterator[Fault]:
     """Those between bodies and those to centres can be computed in a step."""
-    for effect, place, said in level.effects.settings:
-        count = len(bodies_of_effect(level, said)) if effect.is_internal else 0
+    for effect, path, settings in level.effects.settings:
+        count = len(bodies_of_effect(level, settings)) if effect.is_internal else 0
         if count**2 > MOST_PULLS:
             message = Message(
                 "'{effect}' acts between every two of {count:,} bodies; a step can take at most"
@@ -57,7 +57,7 @@ def not_too_many_pulls(level: Level) -> Iterator[Fault]:
                 count=count,
                 most=int(MOST_PULLS**0.5),
             )
-            yield Fault(place, message)
+            yield Fault(path, message)
     dynamic = sum(body.type == "dynamic" for body in level.bodies.values())
     centres = len(level.effects.attraction or ())
     if centres * dynamic > MOST_PULLS:

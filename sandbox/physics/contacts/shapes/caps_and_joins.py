@@ -109,11 +109,9 @@ def _round_ends(
     place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
     if isinstance(line, Course):
         for foot in line.ends:
-            at, tangent, first = (
-                place + turned * foot.point,
-                turned * foot.tangent,
-                foot.parameter == 0,
-            )
+            at = place + turned * foot.point
+            tangent = turned * foot.tangent
+            first = foot.parameter == 0
             onwards = -tangent if first else tangent
             yield _End(at, onwards, half_of(body, values, skin), body, first)
     elif isinstance(shape, ArcShape) and line.cosine >= -1:

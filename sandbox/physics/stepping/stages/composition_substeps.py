@@ -17,7 +17,7 @@ class LeadingSubsteps:
     def __init__(self, setup: Setup) -> None:
         self._kicks, self._batch = setup.kicks, setup.scene.batch
         is_constrained = setup.scene.joints.together is not None
-        scheme = composition(setup.stepping.order, held=is_constrained)
+        scheme = composition(setup.stepping.order, is_constrained=is_constrained)
         self._kicks.compose(substeps(scheme, self._kicks.clock.dt))
         self._pre_kick_velocity = self._batch.velocity()
 

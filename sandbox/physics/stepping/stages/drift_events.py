@@ -235,10 +235,10 @@ class EventStage:
         Its length is `left` [s].
         """
         scene, ahead = self._scene, self._ahead(left)
-        place, velocity = part.state(part.lasts)
+        pose, velocity = part.state(part.lasts)
         t = self._kicks.clock.after(ahead)
-        scene.batch.set_state(np.concatenate((place, velocity), axis=1))
-        motion, count = Instant.at(t, place, velocity), len(self._jolts)
+        scene.batch.set_state(np.concatenate((pose, velocity), axis=1))
+        motion, count = Instant.at(t, pose, velocity), len(self._jolts)
         before = stored(self._laws, motion)
         act(t)
         self._switched += stored(self._laws, motion) - before
@@ -256,17 +256,17 @@ class EventStage:
         acceleration = (after - velocity) / (left / 2)
         acceleration[self._fixed] = 0.0
         forces = self._forces_of(left / 2)
-        return Part(t, left, place, velocity, acceleration, forces=forces)
+        return Part(t, left, pose, velocity, acceleration, forces=forces)
 
     def _last_halves(self, part: Part) -> tuple[Part, Part]:
         """Return the halves of the last part of a drift with jolts, with the force at its end.
 
         So the rest of a drift after a jolt is a leapfrog step by itself, and as accurate.
         """
-        place, _ = part.state(part.lasts)
+        pose, _ = part.state(part.lasts)
         _, middle = part.state(part.lasts / 2)
         duration = (part.lasts + self._dt) / 2, self._dt
-        return _in_halves(part, *self._trial(part, 1.0, (place, middle), duration))
+        return _in_halves(part, *self._trial(part, 1.0, (pose, middle), duration))
 
     def _trial(
         self, part: Part, ahead: float, state: tuple[Array, Array], lengths: tuple[float, float]
@@ -324,17 +324,17 @@ class EventStage:
             return
         end, velocity = last.state(last.lasts)
         start = velocity - last.acceleration * (dt / 2)
-        place = end - start * dt
-        start[self._fixed], place[self._fixed] = (state[self._fixed, 3:], state[self._fixed, :3])
+        pose = end - start * dt
+        start[self._fixed], pose[self._fixed] = (state[self._fixed, 3:], state[self._fixed, :3])
         if self._has_contacts and not scene.direct:  # pymunk's warm start needs whole impulses
             with self._kicks.hold():
                 self._kicks.settle(1.0, start, dt, dt)
         scene.joints.time(dt, dt)
         mean = start
         if landing := self._divided_drift:
-            place, mean = last.place, (landing.end - last.place) / dt
+            pose, mean = last.place, (landing.end - last.place) / dt
             mean = np.where(landing.reached[:, None], mean, start)
-        scene.batch.set_state(np.concatenate((place, mean), axis=1))
+        scene.batch.set_state(np.concatenate((pose, mean), axis=1))
         self._forces.restart(start - last.acceleration * dt)
         self._pre_kick_velocity = start
 
@@ -344,8 +344,8 @@ def _in_halves(part: Part, acceleration: Array, forces: Contacts) -> tuple[Part,
 
     `acceleration`, (n, 3), is that at the end [m/s², rad/s²].
     """
-    half, (place, _) = part.lasts / 2, part.state(part.lasts)
+    half, (pose, _) = part.lasts / 2, part.state(part.lasts)
     _, middle = part.state(half)
-    begin = place - middle * half - acceleration * (half * half / 2)
+    begin = pose - middle * half - acceleration * (half * half / 2)
     later = Part(part.t + half, half, begin, middle, acceleration, half, forces)
     return part._replace(lasts=half), later

@@ -54,9 +54,8 @@ class GridBounds:
             return None
         extent, reach, field = self._scene.batch.extent(), self._scene.reach, self._scene.gravity
         speed_gain = hypot(*field.acceleration) if field else 0.0
-        if (
-            not self._scene.hooked_laws and (extent + speed_gain) * FASTER < reach
-        ):  # laws are unbounded
+        # laws are unbounded
+        if not self._scene.hooked_laws and (extent + speed_gain) * FASTER < reach:
             self._next_check = step + LOOK
             return None
         return None if extent * (1 + drift) < reach else self._outermost(drift)
