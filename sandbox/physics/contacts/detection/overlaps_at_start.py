@@ -1,13 +1,15 @@
 """The check for bodies that overlap at the start, which is a mistake in the level.
 
 The correction of overlaps would throw them apart, or leave them overlapping. So a level with
-overlaps must allow them explicitly, or is refused. Boxes with the same centre, and lines that lie
-in each other, are refused in any case: pymunk finds no direction in which they could part, and so
-boxes and lines would not even collide.
+overlaps must allow them explicitly, or is refused. Boxes with the same centre, and lines and arcs
+that lie in each other, are refused in any case: there is no direction in which they could part, and
+so boxes and lines would not even collide.
 """
 
+from cmath import phase
 from collections.abc import Iterator, Mapping
 from itertools import islice
+from math import acos
 from typing import TYPE_CHECKING, NamedTuple
 
 import pymunk
@@ -17,6 +19,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.detection.contact_queries import touched
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
+from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.contacts.shapes.pymunk_shapes import slop_of
 from sandbox.physics.state.errors import SimulationError
 
@@ -25,6 +28,9 @@ if TYPE_CHECKING:
 
 TOUCHING = 1e-6
 """m, the overlap of touching bodies that is allowed: skins of 1e-9 m, and rounded decimals."""
+
+DIGITS = 9
+"""Decimals of a metre, to which the circles of arcs that lie in each other agree."""
 
 ENOUGH = 1000
 """The most overlaps among which the worst is found, as a heap of n bodies has n² / 2."""
@@ -82,6 +88,25 @@ def refuse_overlaps(
         raise SimulationError(worst.bodies[0], 0.0, worst.reason)
 
 
+def _arcs_in_arcs(names: Mapping[pymunk.Body, str], hollows: Hollows | None) -> Iterator[Overlap]:
+    """Yield the arcs of two bodies that lie in each other, on the same circle."""
+    seen: dict[tuple[float, ...], list[tuple[pymunk.Body, complex, float]]] = {}
+    for shape, piece in hollows.known() if hollows else ():
+        arc, body = piece.arc, shape.body
+        if arc is None or piece.away or body is None or arc.cosine < -1:
+            continue  # no arc, the end of one, or a whole circle, which parts as a disc does
+        turned = complex(*body.rotation_vector)
+        center = complex(*body.position) + turned * arc.center
+        middle, half = turned * arc.middle, acos(arc.cosine)
+        circle = (*(round(x, DIGITS) for x in (center.real, center.imag, arc.radius)),)
+        same = seen.setdefault(circle, [])
+        for other, way, reach in same:
+            if meets(body, other) and abs(phase(way / middle)) < half + reach:
+                first, second = sorted((names[body], names[other]))
+                yield Overlap(arc.outer - arc.inner, (first, second), directed=False)
+        same.append((body, middle, half))
+
+
 def tolerated(space: pymunk.Space, contact: Contact, values: Values) -> float:
     """Return the largest overlap that is allowed at the start [m]."""
     return max(TOUCHING, slop_of(space, contact, values))
@@ -96,6 +121,7 @@ def overlaps(
 ) -> Iterator[Overlap]:
     """Yield the overlaps of more than `least` [m]; that of two movable bodies twice."""
     names = {body: name for name, body in bodies.items()}
+    yield from _arcs_in_arcs(names, hollows)
     for name, body in bodies.items():
         for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
             for found in touched(space, shape, hollows, gates):

@@ -134,6 +134,8 @@ def test_an_overlap_is_a_mistake_however_shallow_and_whoever_solves_contacts(
 
 SQUARE, ROUND = box(size=(0.6, 0.6)), disc(radius=0.3)
 LYING = {**LINE, "position": [0, 0]}
+BENT: Spec = {"shape": HALF, "mass": 1}
+TURNED: Spec = {**BENT, "angle": 3, "position": [2 / pi * sin(3), 2 / pi * (1 - cos(3))]}
 
 
 @pytest.mark.parametrize("solver", ["iterative", "direct"])
@@ -145,8 +147,10 @@ LYING = {**LINE, "position": [0, 0]}
         ((SQUARE, ROUND), 0.6),
         ((SQUARE, LYING), 0.3),
         ((LYING, fixed({"type": "segment", "start": [-3, 0], "end": [5, 0]})), 0),
+        ((BENT, BENT), 0),
+        ((BENT, TURNED), 0),
     ],
-    ids=["boxes", "disc in box", "line in box", "lines"],
+    ids=["boxes", "disc in box", "line in box", "lines", "arcs", "parts of arcs"],
 )
 def test_what_lies_in_each_other_has_no_way_to_part_and_is_refused(
     bodies: tuple[Spec, Spec], depth: float, *, wanted: bool, solver: str
@@ -158,6 +162,18 @@ def test_what_lies_in_each_other_has_no_way_to_part_and_is_refused(
     told = re.match(r"'a' and 'b' lie in each other at the start, (\S+) m deep", reason)
     assert told
     assert float(told[1]) == pytest.approx(depth, abs=2e-8)  # two skins
+
+
+@pytest.mark.parametrize("solver", ["iterative", "direct"])
+@pytest.mark.parametrize("shape", [ROUND["shape"], HOOP])
+def test_discs_in_one_place_part(shape: Spec, solver: str) -> None:
+    """Solved directly, their normal was not finite, and they stayed where they were."""
+    bodies = {name: {"shape": shape, "mass": 1, "friction": 0.5} for name in "ab"}
+    scene = level(bodies, {"contact": {"overlaps": True, "solver": solver}, "friction": {}})
+    end = build(scene).advance(60).position
+
+    assert abs(complex(*(end[1] - end[0]))) == pytest.approx(2 * shape["radius"], rel=1e-4)
+    assert end.sum(axis=0) == pytest.approx(0, abs=1e-12)
 
 
 def test_what_hardly_lies_apart_is_parted() -> None:

@@ -31,6 +31,9 @@ are squeezed out, so smaller overlaps are left to their correction."""
 ROUGH = 0.1
 """In a part below this share of a drift, forces follow from differences that are too small."""
 
+UNSURE = 10.0
+"""The share of a velocity that a body cannot gain by a change of its forces within a part."""
+
 JERKS = 1e-3
 """In a jerk, joints give or take at least this share of the kinetic energy."""
 
@@ -269,7 +272,7 @@ class CutDrift:
     def _taken_back(self) -> tuple[Kick, Stage]:
         """Return the excess of the whole kick after it, taken back, and its rows."""
         last, kick, missing, forces = self.parts[-1], self._ended, self._missing, self._lasting
-        begun = last.moved - missing * (self.laws + forces @ kick.response)
+        begun = last.moved - missing * (self.laws + _balanced(forces, last, kick, missing))
         return kick, Stage.of(kick, -missing, self._moving(begun[self._places]), -missing * forces)
 
     def _stages(self, part: DriftPart) -> tuple[Stage, ...]:
@@ -314,6 +317,22 @@ def _lasting(last: DriftPart) -> Array:
         if rows[island].any():
             forces[island] = 0.0
     return forces
+
+
+def _balanced(forces: Array, last: DriftPart, kick: Kick, missing: float) -> Array:
+    """Return the accelerations by forces of the last part, at its end: (3 N,) [m/s², rad/s²].
+
+    `kick` has the rows there. Large forces cancel on a light body between heavy ones, but not with
+    the rows of another place: traced back over the `missing` time [s], they would give it far more
+    than its velocity. Its own are those at the beginning of the part.
+    """
+    there, then = forces @ kick.response, forces @ last.kick.response
+    weights, places = inertia_of(kick.joints.inverse), order(kick.acts.shape[1])
+    speeds = missing * (there - then), np.abs(last.moved) + missing * np.abs(then)
+    gains, has = (np.sqrt(weights * v * v)[places].max(axis=1) for v in speeds)
+    unsure = np.zeros(len(then), dtype=bool)
+    unsure[places] = (gains > UNSURE * has)[:, None]
+    return np.where(unsure, then, there)
 
 
 def _steady(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:

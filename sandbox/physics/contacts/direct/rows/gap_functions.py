@@ -42,6 +42,9 @@ OUT = -FROM_TO
 ALIKE = 1e-6
 """m, the largest distance of corners that lie on each other: either may be that on the side."""
 
+NEAR = 1e-15
+"""m, how far apart two centres in one place are taken to be, along the normal of their contact."""
+
 LEANS = 0.1
 """rad, the largest angle between sides that count as facing each other. A contact of theirs has one
 normal, that of one side, though at one of its points a corner may lie on the other side."""
@@ -137,11 +140,12 @@ class Features:
         """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""
         gap, slip, along, across = rows
         rounds, sign = self.rounds, self.sign
-        d = d[rounds]
+        normal = sign * along[rounds]
+        d = _directed(d[rounds], normal)
         size = np.abs(d)
         gap[rounds], along[rounds] = sign * size, sign * d / size
         if len(self.touching.rubs):
-            apart = self.apart[rounds]
+            apart = _directed(self.apart[rounds], normal)
             first, turned = np.abs(apart), d / apart
             slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
             across[rounds] = 1j * along[rounds] * (first / size)
@@ -154,6 +158,11 @@ class Features:
         there.apart = second - first
         there.rolls = _to_the_middle(self.rolls, self.circles, there.apart[self.touching.rubs])
         return there
+
+
+def _directed(d: Plane, normal: Plane) -> Plane:
+    """Return the vectors between centres, with a direction where they coincide."""
+    return d if d.all() else np.where(d == 0, NEAR * normal, d)
 
 
 def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice | Integers]:
