@@ -1,5 +1,7 @@
 """Small files in the user's data folder."""
 
+import os
+from contextlib import suppress
 from pathlib import Path
 from typing import TypeVar
 
@@ -11,6 +13,9 @@ from sandbox.model.file_writing import make_folder, read_ordinary, write_atomica
 
 LARGEST = 1_000_000
 """The largest file that is read [bytes]; a larger one was not written by this program."""
+
+ASIDE = ".broken"
+"""Added to the name of a file that is not valid."""
 
 Value = TypeVar("Value")
 
@@ -24,10 +29,25 @@ def read(file: Path, kind: TypeAdapter[Value], otherwise: Value) -> Value:
 
 
 def keep(file: Path, kind: TypeAdapter[Value], value: Value) -> str:
-    """Write a file, completely or not at all; return why that fails, else an empty string."""
+    """Write a file, completely or not at all; return why that fails, else an empty string.
+
+    What stands there and is not valid is kept beside it, as somebody may want to mend it.
+    """
     try:
         make_folder(file.parent)
+        _put_aside(file, kind)
         write_atomically(file, kind.dump_json(value, indent=1), follow=False)
     except (OSError, SandboxError, ValueError) as error:
         return say("{error}", error=error)
     return ""
+
+
+def _put_aside(file: Path, kind: TypeAdapter[Value]) -> None:
+    """Rename a file that is not valid."""
+    with suppress(FileNotFoundError):
+        content = read_ordinary(file, LARGEST)
+        try:
+            kind.validate_json(content or b"")
+        except ValidationError:
+            if content:
+                os.replace(file, file.with_name(f"{file.name}{ASIDE}"))

@@ -38,6 +38,8 @@ def test_a_file_that_something_else_has_written_counts_as_none(content: bytes) -
     assert found.stars("a") == 0
     assert found.earn("a", 1) == ""
     assert Progress().stars("a") == 1
+    aside = challenge_stars.file().with_name("stars.json.broken")
+    assert (aside.read_bytes() if aside.exists() else b"") == content  # it may be mended
 
 
 def test_stars_that_cannot_be_kept_count_until_the_window_is_closed(tmp_path: Path) -> None:
