@@ -93,7 +93,7 @@ def _arcs_in_arcs(names: Mapping[pymunk.Body, str], hollows: Hollows | None) -> 
     seen: dict[tuple[float, ...], list[tuple[pymunk.Body, complex, float]]] = {}
     for shape, piece in hollows.known() if hollows else ():
         arc, body = piece.arc, shape.body
-        if arc is None or piece.away or body is None or arc.cosine < -1:
+        if arc is None or piece.outward or body is None or arc.cosine < -1:
             continue  # no arc, the end of one, or a whole circle, which parts as a disc does
         turned = complex(*body.rotation_vector)
         center = complex(*body.position) + turned * arc.center

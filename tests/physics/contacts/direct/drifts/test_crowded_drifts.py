@@ -248,7 +248,7 @@ def test_in_a_heap_no_landing_is_located(monkeypatch: pytest.MonkeyPatch) -> Non
     assert len(heaps) >= 100
     assert max(heaps) <= HEAP
     assert deepest <= 1e-8
-    assert abs(books.closing.unexplained) <= 4e-3 * books.closing.turned
+    assert abs(books.closing.unexplained) <= 4e-3 * books.closing.turnover
 
 
 def in_a_round_valley(seed: int) -> Level:
