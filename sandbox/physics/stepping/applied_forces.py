@@ -8,12 +8,14 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Integers
+from sandbox.physics.forces.law import exert
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
     from sandbox.physics.engine.grab_spring import Hand
     from sandbox.physics.joints.exact.shake import ExactJoints
 
@@ -34,6 +36,7 @@ class Forces:
         self._turns = scene.turns
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.inverse_mass
         self._bodies, self._pulling = list(scene.bodies.values()), pulling
+        self._direct = scene.direct
         sees = any(law.effect.sees_velocity for law in scene.laws)
         self._guesses = leapfrog and (sees or bool(scene.turns))
         self._field = np.zeros((len(self._bodies), 3))  # acceleration by gravity
@@ -96,13 +99,16 @@ class Forces:
     def apply(self, kick: Kick) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
         gained = self._gained(kick) if self._turns else None
-        self.seen = reading = self._read(kick)
+        last, self.seen = self.seen, self._read(kick)
+        reading = self.seen
+        if last and kick.start is None and (landed := self._landed):
+            reading.path = _path(landed, last, reading, kick.clock.dt)
         if self._flows:
             self._weigh(self._flows, reading.t)
         wrench = self._wrench
         wrench.fill(0.0)
         for law in self._laws:
-            law.add(reading, wrench)
+            exert(law, reading, wrench)
         if gained is not None:
             self._turn(reading, wrench, gained, kick.length)
         if self._pulling:
@@ -136,16 +142,26 @@ class Forces:
         """Return the motion that the laws see in a kick.
 
         pymunk's velocities are half a step old. Those at the kick are, to second order, 3/2 of them
-        less 1/2 of those one step earlier.
+        less 1/2 of those one step earlier. Where bodies have landed since the last kick, the latter
+        are replaced by those that forces alone would have changed to the former.
         """
         state = self._batch.state()
         if self._guesses:
-            velocity = state[:, 3:].copy()
-            state[:, 3:] = 1.5 * velocity - 0.5 * (
-                self._older if kick.start is None else kick.start
-            )
+            velocity, older = state[:, 3:].copy(), self._older
+            if kick.start is not None:
+                older = kick.start
+            elif landed := self._landed:
+                reached, begun = landed.reached[:, None], landed.begun
+                older = np.where(reached, begun - self.smooth * kick.clock.dt, older)
+                velocity = np.where(reached, begun, velocity)
+            state[:, 3:] = 1.5 * velocity - 0.5 * older
             self._older = velocity
         return Reading(np.asarray(kick.t), state)
+
+    @property
+    def _landed(self) -> "DividedDrift | None":
+        """The drift before this kick, if bodies landed in it."""
+        return self._direct.drifts.divided if self._guesses and self._direct else None
 
     def _weigh(self, share: MassFlows, t: Array) -> None:
         """Set the variable masses to those at a time [s], for the kick around it."""
@@ -156,3 +172,27 @@ class Forces:
             if self._moment[row]:
                 body.moment = self._moment[row] * now[row]
         self._inverse_mass = self._inverse / now[:, None]
+
+
+def _path(
+    landed: "DividedDrift", last: Reading, reading: Reading, dt: float
+) -> tuple[tuple[float, Reading], ...]:
+    """Return the motions in a drift of dt [s] with landings, and their weights in the next kick.
+
+    The kick before it took forces as in `last` to its middle, and the kick after it those of
+    `reading` from there on. The mean along the path, by the trapezoidal rule, is to replace that.
+    """
+    start, t = float(last.t), landed.first * dt / 2
+    nodes = [(0.0, Reading(last.t, last.state))]
+    if landed.first < 1:
+        halfway = np.concatenate((last.state[:, :3], landed.before[-1].velocity), axis=1)
+        nodes.append((t, Reading(np.asarray(start + t), halfway)))
+    for place, _, stage in landed.between[:-1]:
+        t += stage.lasts
+        state = np.concatenate((place, stage.velocity), axis=1)
+        nodes.append((t, Reading(np.asarray(start + t), state)))
+    nodes.append((dt, Reading(reading.t, reading.state)))
+    times = np.array([time for time, _ in nodes])
+    weights = np.convolve(np.diff(times), (0.5, 0.5)) / dt
+    weights[[0, -1]] -= 0.5
+    return tuple(zip(weights.tolist(), [node for _, node in nodes], strict=True))
