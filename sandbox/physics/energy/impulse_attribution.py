@@ -19,7 +19,7 @@ from sandbox.physics.energy.impulse_propagation import reached_by_jerk
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
-from sandbox.physics.forces.law import Law, VelocityRotation
+from sandbox.physics.forces.law import Law, VelocityRotation, exert
 from sandbox.physics.forces.spring import damps
 from sandbox.physics.forces.velocity_rotation import rotation_change
 from sandbox.physics.geometry.outline_distance import surfaces
@@ -138,7 +138,7 @@ class Attribution:
 
     def _impulse(self, law: Law, kick: KickRecord) -> Array:
         wrench = np.zeros_like(self._mass)
-        law.add(kick.seen, wrench)
+        exert(law, kick.seen, wrench)
         return wrench * kick.length
 
     def _book_joints(self, kick: KickRecord, joint_forces: JointForces) -> tuple[Array, Array]:

@@ -43,6 +43,16 @@ class Law(Protocol):
         """Return the potential energy of each body [J]: (..., n)."""
 
 
+def exert(law: Law, motion: Motion, wrench: Array) -> None:
+    """Add what a law does in a kick in which it sees a motion, and its `path` if it has one."""
+    law.add(motion, wrench)
+    for share, other in getattr(motion, "path", ()):
+        if law.effect.depends_on_velocity:
+            there = np.zeros_like(wrench)
+            law.add(other, there)
+            wrench += share * there
+
+
 class VelocityRotation(Protocol):
     """A force perpendicular to the velocity, F = m ω (−vy, vx), which turns it and does no work.
 

@@ -33,7 +33,7 @@ from sandbox.physics.contacts.coefficients.static_friction import BreakawayImpul
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.forces.declared_laws import laws_by_entry
-from sandbox.physics.forces.law import Law, LawInputs
+from sandbox.physics.forces.law import Law, LawInputs, exert
 from sandbox.physics.joints.joint_forces import pulls_on
 from sandbox.physics.measuring.contact_forces import (
     ContactForce,
@@ -142,7 +142,7 @@ class FreeBodies:
 
     def _by_law(self, kick: "_Kick", law: Law, arm: XY | None) -> AppliedForce:
         wrench = np.zeros((len(self._names), 3))
-        law.add(kick.law_motion, wrench)
+        exert(law, kick.law_motion, wrench)
         x, y, torque = wrench[kick.row].tolist()
         return AppliedForce.of(law.effect.shown_force_name, "", (x, y), torque, kick.center, arm)
 

@@ -59,13 +59,15 @@ class Reading:
     """The motion of n bodies, as views of one array; see `Motion`.
 
     `state`, (n, 6), has x, y, angle, and their rates of change [m, rad, m/s, rad/s] at a time
-    t [s].
+    t [s]. `path` are other motions, with weights that add up to 0: what forces that depend on
+    velocities did differently in a drift with landings, which the kick after it makes up for.
     """
 
-    __slots__ = ("state", "t")
+    __slots__ = ("path", "state", "t")
 
     def __init__(self, t: Array, state: Array) -> None:
         self.t, self.state = t, state
+        self.path: tuple[tuple[float, Reading], ...] = ()
 
     @property
     def position(self) -> Array:

@@ -8,12 +8,14 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Integers
+from sandbox.physics.forces.law import exert
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
     from sandbox.physics.engine.grab_spring import Hand
     from sandbox.physics.joints.exact.shake import ExactJoints
 
@@ -36,6 +38,7 @@ class Forces:
         self._turns = scene.rotations
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.inverse_mass
         self._bodies, self._warm_started = list(scene.bodies.values()), warm_started
+        self._direct = scene.direct
         sees_velocity = any(law.effect.depends_on_velocity for law in scene.laws)
         self._extrapolates = leapfrog and (sees_velocity or bool(scene.rotations))
         self._base_acceleration = np.zeros((len(self._bodies), 3))  # acceleration by gravity
@@ -98,13 +101,16 @@ class Forces:
     def apply(self, kick: Kick) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
         constraint_change = self._constraint_change(kick) if self._turns else None
-        self.law_motion = reading = self._read(kick)
+        last, self.law_motion = self.law_motion, self._read(kick)
+        reading = self.law_motion
+        if last and kick.start is None and (landed := self._landed):
+            reading.path = _path(landed, last, reading, kick.clock.dt)
         if self._mass_flows:
             self._set_masses(self._mass_flows, reading.t)
         wrench = self._wrench
         wrench.fill(0.0)
         for law in self._laws:
-            law.add(reading, wrench)
+            exert(law, reading, wrench)
         if constraint_change is not None:
             self._add_rotation(reading, wrench, constraint_change, kick.length)
         if self._warm_started:
@@ -148,16 +154,26 @@ class Forces:
         """Return the motion that the laws see in a kick.
 
         pymunk's velocities are half a step old. Those at the kick are, to second order, 3/2 of them
-        less 1/2 of those one step earlier.
+        less 1/2 of those one step earlier. Where bodies have landed since the last kick, the latter
+        are replaced by those that forces alone would have changed to the former.
         """
         state = self._batch.state()
         if self._extrapolates:
-            velocity = state[:, 3:].copy()
-            state[:, 3:] = 1.5 * velocity - 0.5 * (
-                self._previous_velocity if kick.start is None else kick.start
-            )
+            velocity, previous = state[:, 3:].copy(), self._previous_velocity
+            if kick.start is not None:
+                previous = kick.start
+            elif landed := self._landed:
+                reached, begun = landed.reached[:, None], landed.begun
+                previous = np.where(reached, begun - self.law_acceleration * kick.clock.dt, previous)
+                velocity = np.where(reached, begun, velocity)
+            state[:, 3:] = 1.5 * velocity - 0.5 * previous
             self._previous_velocity = velocity
         return Reading(np.asarray(kick.t), state)
+
+    @property
+    def _landed(self) -> "DividedDrift | None":
+        """The drift before this kick, if bodies landed in it."""
+        return self._direct.drifts.divided if self._extrapolates and self._direct else None
 
     def _set_masses(self, flows: MassFlows, t: Array) -> None:
         """Set the variable masses to those at a time [s], for the kick around it."""
@@ -168,3 +184,27 @@ class Forces:
             if self._moment[row]:
                 body.moment = self._moment[row] * fraction[row]
         self._inverse_mass = self._inverse / fraction[:, None]
+
+
+def _path(
+    landed: "DividedDrift", last: Reading, reading: Reading, dt: float
+) -> tuple[tuple[float, Reading], ...]:
+    """Return the motions in a drift of dt [s] with landings, and their weights in the next kick.
+
+    The kick before it took forces as in `last` to its middle, and the kick after it those of
+    `reading` from there on. The mean along the path, by the trapezoidal rule, is to replace that.
+    """
+    start, t = float(last.t), landed.first * dt / 2
+    nodes = [(0.0, Reading(last.t, last.state))]
+    if landed.first < 1:
+        halfway = np.concatenate((last.state[:, :3], landed.before[-1].velocity), axis=1)
+        nodes.append((t, Reading(np.asarray(start + t), halfway)))
+    for place, _, stage in landed.between[:-1]:
+        t += stage.lasts
+        state = np.concatenate((place, stage.velocity), axis=1)
+        nodes.append((t, Reading(np.asarray(start + t), state)))
+    nodes.append((dt, Reading(reading.t, reading.state)))
+    times = np.array([time for time, _ in nodes])
+    weights = np.convolve(np.diff(times), (0.5, 0.5)) / dt
+    weights[[0, -1]] -= 0.5
+    return tuple(zip(weights.tolist(), [node for _, node in nodes], strict=True))

@@ -95,8 +95,10 @@ class Equations:
         if isfinite(found):
             return found
         name = self.names[row]
-        rule = "the constraint of '{name}' has no finite value at t = {t:.3g} s"
-        raise JointFailure(name, Message(rule, name=name, t=t))
+        message = Message(
+            "the constraint of '{name}' has no finite value at t = {t:.3g} s", name=name, t=t
+        )
+        raise JointFailure(name, message)
 
     def look(self, place: Coordinates) -> Rows:
         """Return the values at given positions, and their Jacobian."""
