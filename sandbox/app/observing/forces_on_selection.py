@@ -65,6 +65,13 @@ class SelectedBody:
             return self.chosen
         return next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
 
+    def go_on(self, level: Level) -> None:
+        """Select the next dynamic body, in the order of the level; after the last, the first."""
+        names = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+        if names:
+            here = self.body(level)
+            self.chosen = names[(names.index(here) + 1) % len(names)] if here in names else names[0]
+
     def at(self, world: World) -> FreeBody | None:
         """Return the forces on the selected body; None if unknown, see `FreeBodies.of`."""
         body = self.body(world.level)

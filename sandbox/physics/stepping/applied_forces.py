@@ -164,7 +164,9 @@ class Forces:
                 previous = kick.start
             elif landed := self._landed:
                 reached, begun = landed.reached[:, None], landed.begun
-                previous = np.where(reached, begun - self.law_acceleration * kick.clock.dt, previous)
+                previous = np.where(
+                    reached, begun - self.law_acceleration * kick.clock.dt, previous
+                )
                 velocity = np.where(reached, begun, velocity)
             state[:, 3:] = 1.5 * velocity - 0.5 * previous
             self._previous_velocity = velocity

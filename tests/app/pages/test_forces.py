@@ -76,6 +76,19 @@ def test_a_click_on_a_body_shows_its_forces(person: Person) -> None:
     assert not person.session.world.disturbed
 
 
+def test_a_key_selects_the_next_body_and_after_the_last_the_first(person: Person) -> None:
+    """Without a mouse only the forces on the first body could be seen."""
+    person.window.open_level("newton/atwood")
+    person.press(pygame.K_j, "j")
+    seen = []
+    for _ in range(3):
+        seen.append(person.session.looking.body(person.session.level))
+        person.press(pygame.K_9, "9")
+
+    assert seen == ["left", "right", "left"]
+    assert isinstance(person.side.page, ForcesPage)
+
+
 def test_the_page_draws_the_forces_on_the_stage_while_it_is_shown(person: Person) -> None:
     person.window.open_level(INCLINE)
     person.press(pygame.K_RIGHT)

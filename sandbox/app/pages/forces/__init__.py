@@ -1,6 +1,11 @@
 """The page of the forces on a body."""
 
-from sandbox.app.pages.page import Page, imported
+from sandbox.app.pages.page import Desk, Page, PageCommand, imported
+
+
+def _next_body(desk: Desk) -> None:
+    desk.session.looking.go_on(desk.session.level)
+
 
 PAGE = Page(
     name="forces",
@@ -10,4 +15,5 @@ PAGE = Page(
     panel=imported("sandbox.app.pages.forces.panel", "ForcesPage"),
     worker=imported("sandbox.app.pages.forces.component_axes", "Axes"),
     overlay="forces",
+    commands=(PageCommand("next body", "9", "select the next body", _next_body),),
 )

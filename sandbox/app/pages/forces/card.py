@@ -38,7 +38,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
         return card.drawn()
     session.looking.tell(session.world, found)
     if len(session.level.bodies) > 1:
-        card.text(say("Click on another body to see its forces."), SIZE, theme.DIM)
+        card.text(say("Click on another body (or key 9) to see its forces."), SIZE, theme.DIM)
         card.y += 4
     card.put(force_diagrams.free_body(pen, (width, pen.px(DIAGRAM)), found), 0)
     card.y += pen.px(DIAGRAM) + 6
