@@ -7,8 +7,6 @@ row for everything that would land: gaps may close within the drift, but no furt
 Trinkle 1996; Anitescu and Potra 1997). If some have landed in the drift before, what is left of it
 is solved in this way. That is of first order in the time step. Such landings do not rebound, so
 bodies with a large restitution are never treated in this way.
-
-In a large heap of loose bodies a single landing is a crowd: it moves all of them.
 """
 
 from collections.abc import Callable, Sequence
@@ -32,12 +30,6 @@ from sandbox.physics.state.errors import JointFailure, NoForces
 
 MANY = 3
 """More landings of one island than this in a drift make a crowd."""
-
-HEAP = 15
-"""The most bodies in contact among which landings are located, unless joints hold most of them. In
-a larger heap each landing asks for some eight solutions of the whole heap. Half of those in a pour
-of 30 discs are slower than what falls for one step. With 8 bodies instead, ten boxes that a car
-hits at 240 Hz were 3e-6 m deep, not 2e-8 m."""
 
 FORESEEN = 24
 """If there are more landings in one drift, located or still ahead, all bodies are a crowd. This is
@@ -65,25 +57,18 @@ def crowd(
     crowded = np.zeros(len(moves), dtype=bool)
     pairs = *(one.bodies for one in struck), *met.coming, *met.falling
     landings = [pair for pair in pairs if dull[pair]]
-    if not landings:
+    if len(landings) <= MANY:
         return crowded
     groups = [np.flatnonzero(kick.acts[rows].any(axis=0)) for rows, _, _ in kick.layout.islands]
     whole = [*groups, *(np.array(pair) for pair in landings)]
     for numbers in islands(whole, moves):
-        if not (lands := np.count_nonzero(numbers >= len(groups))):
-            continue
-        some = np.zeros_like(crowded)
-        some[np.concatenate([whole[number] for number in numbers.tolist()])] = True
-        if lands > MANY or _is_heap(kick, some & moves):
-            crowded |= some & moves
+        if np.count_nonzero(numbers >= len(groups)) > MANY:
+            for number in numbers.tolist():
+                crowded[whole[number]] = True
+    crowded &= moves
     if not begins and _is_linkage(kick, crowded):
         crowded[:] = False
     return crowded
-
-
-def _is_heap(kick: Kick, some: Booleans) -> bool:
-    """Return whether some bodies in contact, (n,), are a heap."""
-    return bool(np.count_nonzero(some) > HEAP) and not _is_linkage(kick, some)
 
 
 def _is_linkage(kick: Kick, crowded: Booleans) -> bool:

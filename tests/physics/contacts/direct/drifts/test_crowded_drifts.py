@@ -10,10 +10,7 @@ from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
 from sandbox.physics.contacts.direct.drifts import drift_cutter
 from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart, around
-from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
-from sandbox.physics.contacts.direct.drifts.unlocated_landings import HEAP
-from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
@@ -225,30 +222,6 @@ def test_a_crowd_that_bounces_on_a_floor_is_known_early(monkeypatch: pytest.Monk
     world.advance()
 
     assert 0 < cuts <= 40
-
-
-@pytest.mark.sweep
-def test_in_a_heap_no_landing_is_located(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where 16 to 20 discs lie on each other in a bin, 13 of 160 landings were; none is deeper."""
-    heaps, locate = [0], DriftCutter._land
-
-    def counted(
-        self: DriftCutter,
-        shorter: DriftPart,
-        left: float,
-        met: FirstMeeting | None,
-        near: list[Pair],
-    ) -> DriftPart:
-        heaps.append(int(around(shorter.kick, met.pairs if met else ()).sum()))
-        return locate(self, shorter, left, met, near)
-
-    monkeypatch.setattr(DriftCutter, "_land", counted)
-    deepest, books = poured(bin_of_discs(60), 1.0)
-
-    assert len(heaps) >= 100
-    assert max(heaps) <= HEAP
-    assert deepest <= 1e-8
-    assert abs(books.closing.unexplained) <= 4e-3 * books.closing.turnover
 
 
 def in_a_round_valley(seed: int) -> Level:
