@@ -7,6 +7,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.impacts.contact_work import KickRecord
+from sandbox.physics.energy.energy_and_momentum import velocity_of
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.state.motion import Instant, Motion
 
@@ -58,3 +59,14 @@ def kicks_within(
             record, velocity_after - velocity_before, joint_impulses, jacobian, contacts
         )
         t, velocity_before = t + duration, velocity_after
+
+
+def before_landings(foreseen: Instant, divided: "DividedDrift", t: float, dt: float) -> Instant:
+    """Return the motion in the middle of the first part of a drift whose joints changed at first.
+
+    `foreseen` is the motion that was expected in the drift; it began at `t` and lasts `dt` [s].
+    """
+    velocity, half = divided.before[-1].velocity, divided.first * dt / 2
+    pose = np.column_stack((foreseen.position, foreseen.angle))
+    pose += (t - float(foreseen.t)) * velocity_of(foreseen)
+    return Instant.at(t + half, pose + half * velocity, velocity)

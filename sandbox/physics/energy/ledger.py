@@ -28,7 +28,7 @@ from sandbox.physics.contacts.impacts.contact_work import KickRecord
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.energy_and_momentum import MechanicalEnergy, velocity_of
 from sandbox.physics.energy.impulse_attribution import Attribution
-from sandbox.physics.energy.kicks_within_drifts import kicks_within
+from sandbox.physics.energy.kicks_within_drifts import before_landings, kicks_within
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.space_arrays import Contacts
@@ -75,14 +75,12 @@ class Ledger:
         self._joint_forces = forces, forces  # of the last kick, and of that before it
         self._was_slack = forces.tension <= 0
         self._overlaps = 0.0
-        start = self._motion_at(
-            -0.5 if self._opens_early else 0.5 * self._first_share(), self._velocity
-        )
+        ahead = -0.5 if self._opens_early else 0.5 * self._first_share()
+        start = self._motion_at(ahead, self._velocity)
         if self._composed:
             start = Instant.of(self._step.snapshot)
-        energy = self._mechanics.kinetic(start) + sum(
-            self._mechanics.potential_by_account(start).values()
-        )
+        mechanics = self._mechanics
+        energy = mechanics.kinetic(start) + sum(mechanics.potential_by_account(start).values())
         self._start = energy, self._mechanics.momentum(start)
         self._end = start
         self._law_motion: Motion = self._step.law_motion or start  # by the laws in the last kick
@@ -299,14 +297,10 @@ class Ledger:
 
     def _leave_foreseen_path(self, divided: "DividedDrift") -> None:
         """Leave the path foreseen for the last drift, since joints changed at its start."""
-        (foreseen, dt), velocity = (self._end, self._step.dt), divided.before[-1].velocity
-        start, duration = self._step.t - dt, divided.first * dt / 2
-        place = np.column_stack((foreseen.position, foreseen.angle))
-        place += (start - float(foreseen.t)) * velocity_of(foreseen)
-        self._end = Instant.at(start + duration, place + duration * velocity, velocity)
+        dt = self._step.dt
+        self._end = before_landings(self._end, divided, self._step.t - dt, dt)
         held = pulls_of(self._scene.joints, len(self._scene.inertia))
-        last = self._joint_forces[0]
-        self._joint_forces = held, last
+        last, self._joint_forces = self._joint_forces[0], (held, self._joint_forces[0])
         self._was_slack = held.among(last.numbered(self._was_slack))
 
     def _set_mid_drift(self, kick_velocity: Array, energy_shift: float) -> None:
@@ -322,26 +316,22 @@ class Ledger:
         """Add the energy from the correction of overlaps, which moved bodies after their drift."""
         if not len(self._step.contacts.bodies):
             return
-        now, half = self._step.snapshot, self._step.dt / 2
-        ended = self._end._replace(
-            position=self._end.position + half * drifted[:, :2],
-            angle=self._end.angle + half * drifted[:, 2],
-        )
-        largest_move = np.abs(now.position - ended.position).max()
+        now, moved, end = self._step.snapshot, self._step.dt / 2 * drifted, self._end
+        position, angle = end.position + moved[:, :2], end.angle + moved[:, 2]
+        largest_move = np.abs(now.position - position).max()
         if largest_move > SEEN * (1 + np.abs(now.position).max()):
-            corrected = ended._replace(position=now.position, angle=now.angle)
-            self._overlaps += self._mechanics.potential(corrected) - self._mechanics.potential(
-                ended
-            )
+            potential = self._mechanics.potential
+            corrected = end._replace(position=now.position, angle=now.angle)
+            ended = end._replace(position=position, angle=angle)
+            self._overlaps += potential(corrected) - potential(ended)
 
     def _book_matter_flows(self, t: float, before: Array, after: Array) -> None:
         """Book the energy and momentum of matter that bodies gain or lose."""
         flows = self._scene.mass_fraction
         if not isinstance(flows, MassFlows):
             return
-        earlier, now, later = (
-            self._mechanics.inertia(t + h * self._step.dt) for h in (-0.5, 0, 0.5)
-        )
+        times = (t + h * self._step.dt for h in (-0.5, 0, 0.5))
+        earlier, now, later = map(self._mechanics.inertia, times)
         gained = (later - now) * after + (now - earlier) * before
         energy = np.sum((later - now) * after * after + (now - earlier) * before * before, axis=1)
         energy = (

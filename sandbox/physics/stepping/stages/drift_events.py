@@ -75,8 +75,7 @@ class EventStage:
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
         self._surfaces = surfaces(scene.bodies.values())
-        # those in the last kick, and in the one before
-        self._last_forces: tuple[JointForces, JointForces] | None = None
+        self._last_forces: tuple[JointForces, JointForces] | None = None  # of the last two kicks
         self._parts: list[Part] = []
         self._jolts: list[Jolt] = []
         self._switched = 0.0
@@ -205,8 +204,8 @@ class EventStage:
             yield from (*before, part)
             part = self._perform_event(part, left, act)
         self._finder.note()
-        halved = self._jolts and self._leapfrog and not self._divided_drift
-        yield from self._last_halves(part) if halved else (part,)
+        jolted = self._jolts and self._leapfrog and not self._divided_drift
+        yield from self._last_halves(part) if jolted else (part,)
 
     def _first(self, part: Part) -> tuple[str, float] | None:
         """Return the first event in a part, and the time from its start [s]; None if none."""
