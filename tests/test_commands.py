@@ -8,7 +8,7 @@ import typer
 from typer.testing import CliRunner
 
 from sandbox.cli import commands as playing
-from sandbox.cli.commands import levels, pictures, runs
+from sandbox.cli.commands import levels, runs, window_and_pictures
 from validation import cli as validating
 
 REGISTERS = [playing, validating]
@@ -37,7 +37,7 @@ def invoke(register: ModuleType, *arguments: str) -> tuple[int, str]:
     return result.exit_code, result.output
 
 
-@pytest.mark.parametrize("module", [levels, pictures, runs, validating])
+@pytest.mark.parametrize("module", [levels, window_and_pictures, runs, validating])
 def test_every_function_that_declares_a_command_is_registered(module: ModuleType) -> None:
     functions = getmembers(module, isfunction)
     own = {name for name, function in functions if function.__module__ == module.__name__}

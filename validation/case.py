@@ -21,7 +21,7 @@ from sandbox.physics.measuring.grading import relative_error, samples
 from sandbox.physics.measuring.recording import Trace, needed_at
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.run import build, simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 Expected = Callable[[Values, Array], ArrayLike]
 """A closed form, as a function of all parameters and of the sampled times [s]."""

@@ -25,7 +25,7 @@ from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.step_refinement import largest_relative_difference, lowest_rate
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.scene.usable_schemes import usable
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from validation import output
 
 TARGETS = (1e-3, 1e-6, 1e-9)

@@ -13,7 +13,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, language
 from sandbox.app.words.language import later, say
 from sandbox.model.translatable_message import NOTHING
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 NOTE = 5.0  # s, the time for which a note is shown
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.drawing import curve_markers, lines, theme
+from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.page import Row
@@ -54,7 +54,7 @@ def draw(
         if color is None:
             _stroke(surface, own[:COLORS] or (theme.ACCENT,), *ends)
         else:
-            lines.dashed(surface, color, ends, *curve_markers.dash(place - 1))
+            lines.dashed(surface, color, ends, *line_styles.dash(place - 1))
         surface.blit(text, (x + SWATCH + 10, y))
         y += height
 

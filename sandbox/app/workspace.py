@@ -34,7 +34,7 @@ from sandbox.model.file_writing import without_links
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.physics.measuring.recording import may_lean
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px

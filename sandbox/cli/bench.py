@@ -18,7 +18,7 @@ from sandbox.model import level_catalog
 from sandbox.model.file_writing import check_writable, write_atomically
 
 if TYPE_CHECKING:
-    from sandbox.app.window_timing import Timing
+    from sandbox.app.window_benchmark import Timing
 
 LEAST, MOST = 480, 8000  # px, of a window's width and height
 HELD = 0.98
@@ -39,7 +39,7 @@ def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | N
     for name in names:
         level_catalog.find(name)
     go_headless()
-    from sandbox.app.window_timing import time_window
+    from sandbox.app.window_benchmark import time_window
 
     console = Console(stderr=True)
     levels = track(list(names) or level_catalog.names(), "Playing", console=console, transient=True)

@@ -24,7 +24,7 @@ from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Trace, needed
 from sandbox.physics.measuring.run_comparison import Difference, differences
 from sandbox.physics.run import costs
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 
 def simulate(

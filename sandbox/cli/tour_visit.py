@@ -15,7 +15,7 @@ from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.run import simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 
 @dataclass(slots=True)

@@ -10,7 +10,7 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantity
 

@@ -21,7 +21,7 @@ from sandbox.physics.ensemble.batched_runs import BatchStepper, can_be_batched, 
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 TOGETHER = 400

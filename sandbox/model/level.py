@@ -32,7 +32,7 @@ from sandbox.model.events import Instant as Instant
 from sandbox.model.events import LandingEvent as LandingEvent
 from sandbox.model.events import SeparationEvent as SeparationEvent
 from sandbox.model.expressions import Expression, Positive, Values
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.joints import (
     Joint,
 )

@@ -12,7 +12,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sandbox.model.expressions import Expression, NonNegative, Positive
-from sandbox.model.functions import Formula, Function
+from sandbox.model.functions_of_one_variable import Formula, Function
 
 MOST_FORCES = 2000
 """The most forces, belts, rockets or centres of attraction of a level, each."""

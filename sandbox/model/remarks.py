@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 from sandbox.model.expression_compiler import ExpressionError
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
 from sandbox.model.rules.level_validation import corners

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from sandbox.model import functions
+from sandbox.model import functions_of_one_variable
 from sandbox.model.base import Model
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.number_bounds import Acceleration, Coordinate, Extent, Speed, Width
@@ -125,7 +125,7 @@ class Curve(Model):
     """
 
     type: Literal["curve"]
-    curve: tuple[functions.Curve, functions.Curve]
+    curve: tuple[functions_of_one_variable.Curve, functions_of_one_variable.Curve]
     """[x, y] in m of its points in the body's frame, functions of the parameters and s"""
     s: tuple[Expression, Expression]
     """[from, to], the range of s"""

@@ -9,7 +9,7 @@ from sandbox.model.annotated_fields import Prose
 from sandbox.model.base import Model
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Profile
+from sandbox.model.functions_of_one_variable import Profile
 from sandbox.model.joints import End
 from sandbox.model.number_bounds import Coordinate, Extent
 from sandbox.model.reference_fields import BodyName, BodyNames

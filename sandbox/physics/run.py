@@ -18,7 +18,7 @@ from sandbox.physics.accuracy.compared_runs import at_least_lasting
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, may_lean, needed
 from sandbox.physics.measuring.step_timing import step_costs
-from sandbox.physics.state.errors import BreakdownError
+from sandbox.physics.state.simulation_errors import BreakdownError
 from sandbox.physics.stepping.make_world import make_world
 from sandbox.physics.stepping.time_limit import TimeLimit
 from sandbox.physics.stepping.world import World

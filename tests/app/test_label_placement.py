@@ -10,7 +10,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.stage import given_force_arrows
 from sandbox.app.stage.given_force_arrows import ForceLabel, Forces
 from sandbox.app.stage.label_placement import Labels
-from sandbox.app.stage.motion_marks import boxes
+from sandbox.app.stage.motion_annotations import boxes
 from sandbox.app.stage.overlays import forces
 from sandbox.app.stage.stage import Stage
 from sandbox.model import level_catalog

@@ -10,7 +10,7 @@ from sandbox.app import level_picture
 from sandbox.app.level_picture import render, save_picture
 from sandbox.model import level_catalog
 from sandbox.model.loading import parse
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.app import scenes
 from validation.case import textbook
 

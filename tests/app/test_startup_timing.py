@@ -5,7 +5,7 @@ from time import perf_counter
 import pygame
 import pytest
 
-from sandbox.app import main, window_timing
+from sandbox.app import main, window_benchmark
 from sandbox.model.errors import SandboxError
 
 
@@ -28,9 +28,9 @@ def test_the_first_picture_is_there_after_one_flip(monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.sweep
 def test_a_start_is_timed_from_before_its_process(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(window_timing, "STARTS", 1)
+    monkeypatch.setattr(window_benchmark, "STARTS", 1)
     begun = perf_counter()
-    took = window_timing.first_picture("newton/atwood")
+    took = window_benchmark.first_picture("newton/atwood")
 
     assert 0 < took < perf_counter() - begun
 
@@ -38,7 +38,7 @@ def test_a_start_is_timed_from_before_its_process(monkeypatch: pytest.MonkeyPatc
 @pytest.mark.sweep
 def test_a_program_that_fails_is_a_sentence() -> None:
     with pytest.raises(SandboxError) as raised:
-        window_timing.first_picture("newton/atwod")
+        window_benchmark.first_picture("newton/atwod")
 
     message = str(raised.value)
     assert message.startswith("newton/atwod: a window that was started on it showed no picture: ")
@@ -47,7 +47,7 @@ def test_a_program_that_fails_is_a_sentence() -> None:
 
 
 def test_a_program_that_shows_nothing_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(window_timing, "LIMIT", 0.05)
+    monkeypatch.setattr(window_benchmark, "LIMIT", 0.05)
 
     with pytest.raises(SandboxError, match=r"newton/atwood: .* showed no picture in 0\.05 s"):
-        window_timing.first_picture("newton/atwood")
+        window_benchmark.first_picture("newton/atwood")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.app.window_timing import Timing
+from sandbox.app.window_benchmark import Timing
 from sandbox.cli import bench
 from tests.cli.helpers import Run
 
@@ -62,7 +62,7 @@ def test_what_is_beyond_its_bound_is_marked(found: Timing, marked: list[str]) ->
 def test_only_frames_that_are_late_are_a_failure(
     found: Timing, status: int, tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("sandbox.app.window_timing.time_window", lambda *_: found)
+    monkeypatch.setattr("sandbox.app.window_benchmark.time_window", lambda *_: found)
     file = tmp_path / "bench.json"
 
     assert run("bench", "newton/atwood", "--json", file).status == status

@@ -19,7 +19,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.sample import sampled
 
 LEVELS = sorted(level_catalog.root().glob("*/*.json"))

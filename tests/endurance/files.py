@@ -28,7 +28,7 @@ from sandbox.experiments.measured_data import read as read_data
 from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import load
-from sandbox.physics.state.errors import BreakdownError
+from sandbox.physics.state.simulation_errors import BreakdownError
 from tests.elsewhere import move_home
 from validation.fuzz.mutated_levels import change
 

@@ -13,7 +13,7 @@ from sandbox.model.ledger_accounts import losses, works
 from sandbox.model.level import Level
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps
 from sandbox.physics.run import build, simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.levels.sweep import marked, steps
 from validation.case import textbook
 

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from sandbox.model.errors import SandboxError
 from sandbox.model.expression_compiler import CONSTANTS, FUNCTIONS, MAX_LENGTH, ExpressionError
 from sandbox.model.expressions import Expression, Fraction, NonNegative, Positive
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 
 VALUES = {"a": 2.0, "b": -3.5, "m": 0.25}
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.expressions import Expression
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.level import Level
 from sandbox.model.levels_with_changed_effects import including
 from sandbox.physics.run import build

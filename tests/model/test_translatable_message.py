@@ -9,7 +9,7 @@ import pytest
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import parse
 from sandbox.model.translatable_message import NOTHING, Message, both, either, joined, word
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 
 def test_a_message_is_its_english_text() -> None:

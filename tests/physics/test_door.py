@@ -12,10 +12,10 @@ from sandbox.model.rules import level_validation
 from sandbox.physics.advising import preflight_faults as refusing
 from sandbox.physics.measuring import recording
 from sandbox.physics.run import build, simulate
-from sandbox.physics.state.errors import BreakdownError, SimulationError
+from sandbox.physics.state.simulation_errors import BreakdownError, SimulationError
 from sandbox.physics.stepping import world
 from sandbox.physics.stepping.applied_forces import Forces
-from sandbox.physics.stepping.state_at_step import Observer
+from sandbox.physics.stepping.step_observer import Observer
 from tests.model.levels import bare, changed
 from tests.physics.scenes import GRAVITY, box, disc, level
 

@@ -23,7 +23,7 @@ from validation.compose.scene_builder import Draft
 from validation.compose.scene_symmetries import mirrored, turned
 from validation.compose.seeded_scenes import Scene, scene, seeds
 from validation.compose.shapes import centroid, moment, outline
-from validation.compose.statics import Measured, Statics
+from validation.compose.static_equilibrium import Measured, Statics
 from validation.stability.hard_case import make
 from validation.stability.scene_parts import Document
 

@@ -283,7 +283,7 @@ def test_a_file_in_the_place_of_the_folder_is_told_before_anything_is_measured(
 def test_without_the_library_that_draws_it_is_told_before_anything_is_measured(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(sys.modules, "validation.cost.figure", None)
+    monkeypatch.setitem(sys.modules, "validation.cost.work_precision_diagram", None)
 
     done = CliRunner().invoke(app, ["cost", *LEVELS, "--output", str(tmp_path)])
 

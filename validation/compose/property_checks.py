@@ -20,7 +20,7 @@ from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.recorded_run import Course, Refused, positions, run, start
 from validation.compose.scene_symmetries import mirrored, turned
 from validation.compose.shapes import extent, is_dynamic
-from validation.compose.statics import Measured, Statics
+from validation.compose.static_equilibrium import Measured, Statics
 from validation.stability.hard_case import make
 from validation.stability.scene_parts import Document
 

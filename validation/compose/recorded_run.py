@@ -14,7 +14,7 @@ from sandbox.physics.guarding.least_step_rate import required_rate
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 from validation.compose.seeded_scenes import Scene

@@ -61,7 +61,7 @@ def sample(levels: Iterable[str]) -> list[str]:
 def _drawer() -> Callable[[Sweep, Path], Path]:
     """Return the function that draws diagrams; importing matplotlib is slow."""
     with needed_for("a diagram"):
-        from validation.cost.figure import draw
+        from validation.cost.work_precision_diagram import draw
     return draw
 
 

@@ -16,7 +16,7 @@ from sandbox.model.level import Check, Level, Stepping
 from sandbox.physics.accuracy.compared_runs import SEEN, check_item, record
 from sandbox.physics.measuring.grading import grade, least_scale, relative_error, samples
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 ROUNDING = 1e-9
 """The error at a small step below which it is rounding, not an approximation."""

@@ -17,7 +17,7 @@ from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.usable_schemes import usable
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from validation.cost.accuracy_requests import Request, ask, costs
 from validation.cost.run_error import Yardstick, run, yardstick
 

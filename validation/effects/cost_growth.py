@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from sandbox.model.crowd_levels import crowd
 from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
+from sandbox.model.many_body_levels import crowd
 from sandbox.physics.measuring.step_timing import step_seconds
 from sandbox.physics.run import build
 from validation.case import naive

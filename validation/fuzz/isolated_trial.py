@@ -16,7 +16,7 @@ from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.level import Stepping
 from sandbox.model.loading import parse
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import BreakdownError
+from sandbox.physics.state.simulation_errors import BreakdownError
 from sandbox.processes import starting
 
 SECONDS = 2.0

@@ -12,8 +12,8 @@ from sandbox.model.errors import SandboxError
 from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS
 from sandbox.reporting import html_pages, plot_style
 from sandbox.reporting.html_pages import inline
-from validation.cost import figure as cost_figure
 from validation.cost import report as cost_report
+from validation.cost import work_precision_diagram as cost_figure
 from validation.cost.report import TARGETS, cost_to_reach, next_digit
 from validation.cost.sweep import NAIVE, Sweep
 from validation.effects import figure as effects_figure

@@ -14,7 +14,7 @@ import numpy as np
 
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 from validation.stability.hard_case import Frontier, figure_of, make, watch

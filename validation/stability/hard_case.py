@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.recording import count_steps
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 from validation.stability.run_measures import Run

@@ -11,7 +11,7 @@ from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.translatable_message import NOTHING, Message
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 PATIENCE = 1.5
 """The pause before changes are applied, as a multiple of the time that applying them took."""

@@ -3,7 +3,7 @@
 from sandbox.app.background import BackgroundTask
 from sandbox.app.runs.session import Session
 from sandbox.model.translatable_message import NOTHING, Message
-from sandbox.physics.state.errors import BlockedError, BreakdownError, SimulationError
+from sandbox.physics.state.simulation_errors import BlockedError, BreakdownError, SimulationError
 
 
 class RemedySearch(BackgroundTask):

@@ -22,7 +22,7 @@ from sandbox.app.runs.read_only_run import RunView
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 BUDGET = 0.009  # s, the time for steps in a frame

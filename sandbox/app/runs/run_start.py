@@ -7,7 +7,7 @@ from sandbox.app.runs.companions import Companion, Variant
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:

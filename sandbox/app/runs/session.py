@@ -16,7 +16,7 @@ from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.model.translatable_message import Message
 from sandbox.physics.measuring.goals import Attempt
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 if TYPE_CHECKING:
     from sandbox.physics.accuracy.calibration import Setting

@@ -5,7 +5,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from sandbox.app.stage.motion_marks import PATH_POINTS, places
+from sandbox.app.stage.motion_annotations import PATH_POINTS, places
 from sandbox.app.stage.observer import Observer
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.expressions import Array

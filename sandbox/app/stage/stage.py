@@ -20,18 +20,18 @@ from sandbox.app.stage import (
     joints,
     level_labels,
     liquid,
-    motion_marks,
+    motion_annotations,
     static_bodies,
     wires,
 )
 from sandbox.app.stage.body_outlines import Outline
-from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.given_force_arrows import Arrow
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.observer import Observer
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
+from sandbox.app.stage.view import View
 from sandbox.app.words import level_translation
 from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate
@@ -145,7 +145,7 @@ class Stage:
         level_labels.draw_observer(surface, view)
         level_labels.draw_texts(surface, view)
         told = milestones if view.few and grounded else ()
-        motion_marks.draw_milestones(surface, self.camera, told, view.labels)
+        motion_annotations.draw_milestones(surface, self.camera, told, view.labels)
         for overlay in self._overlays:
             if overlay.draw is not None:
                 overlay.draw(surface, view)
@@ -157,9 +157,9 @@ class Stage:
         view, words = self.view, level_translation.of(self.view.world.level)
         filled = (*view.moving, *(o for o in view.still if o.radius is not None))
         placed = [(each, *view.state(each)) for each in filled]
-        avoid = motion_marks.boxes(self.camera, placed)
-        motion_marks.mark_large(self.camera, placed, view.labels)
-        motion_marks.write_milestones(
+        avoid = motion_annotations.boxes(self.camera, placed)
+        motion_annotations.mark_large(self.camera, placed, view.labels)
+        motion_annotations.write_milestones(
             surface, self.camera, self._pen, milestones, words, view.labels, avoid
         )
 
@@ -175,7 +175,7 @@ class Stage:
             for outline in self.view.moving:
                 x, y = snapshot.position[outline.row].tolist()
                 angle = float(snapshot.angle[outline.row])
-                motion_marks.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
+                motion_annotations.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
 
     def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
         """Return the dynamic body at a pixel, within a margin [px], or None."""
@@ -273,8 +273,8 @@ class Stage:
             if len(trail) > drawn:
                 paths = self.view.observer.path(trail.points[max(drawn - 1, 0) :])
                 for outline in self.view.moving:
-                    drawn_in = motion_marks.trail_color(color or outline.color)
-                    motion_marks.draw_trail(
+                    drawn_in = motion_annotations.trail_color(color or outline.color)
+                    motion_annotations.draw_trail(
                         self._canvas, self.camera, drawn_in, paths[:, outline.row]
                     )
         self._trail_drawn = counts

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app.drawing import curve_markers, lines, theme
+from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.words import formatting
@@ -165,9 +165,9 @@ def _draw_part(surface: pygame.Surface, series: Series, points: Sequence[XY]) ->
 
 def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY]) -> None:
     """Draw markers at equal distances along a line's points."""
-    count = SIGNED * curve_markers.SIGNS
-    for place in range(which % curve_markers.SIGNS, count, curve_markers.SIGNS):
-        curve_markers.sign(surface, which, color, points[len(points) * place // count], 3)
+    count = SIGNED * line_styles.SIGNS
+    for place in range(which % line_styles.SIGNS, count, line_styles.SIGNS):
+        line_styles.sign(surface, which, color, points[len(points) * place // count], 3)
 
 
 def _draw_heights(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:

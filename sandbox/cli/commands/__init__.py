@@ -7,8 +7,8 @@ called: the help of all commands has to be there at once.
 import typer
 
 from sandbox.cli.commands.levels import check, describe, format_, generate, list_, migrate, new
-from sandbox.cli.commands.pictures import bench, play, render, tour, uncollected
 from sandbox.cli.commands.runs import effects, experiment, replay, simulate
+from sandbox.cli.commands.window_and_pictures import bench, play, render, tour, uncollected
 
 COMMANDS = (
     play, list_, new, check, format_, migrate, simulate, describe, effects, experiment, render,

@@ -20,7 +20,7 @@ from sandbox.editing.suggested_checks.recogniser_input import (
     rate_of,
 )
 from sandbox.model.expressions import Expression
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import End, Spring, body_of
 from sandbox.physics.geometry.outline_distance import dot

@@ -12,7 +12,7 @@ from pydantic import Field
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Expression
-from sandbox.model.functions import Curve
+from sandbox.model.functions_of_one_variable import Curve
 from sandbox.model.joints.contract import ENDS as ENDS
 from sandbox.model.joints.contract import FIXED, BodyEnd, Kind, kinds
 from sandbox.model.joints.contract import End as End

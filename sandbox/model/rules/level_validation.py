@@ -14,7 +14,7 @@ import numpy as np
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, Values
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions, instants

@@ -27,7 +27,7 @@ from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Stop, never
 from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.scene.usable_schemes import require
-from sandbox.physics.state.errors import SchemeError
+from sandbox.physics.state.simulation_errors import SchemeError
 
 _SETTING = TypeAdapter(Setting)
 _ENTRY = TypeAdapter(tuple[str, str, Setting])

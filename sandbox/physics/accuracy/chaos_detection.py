@@ -14,7 +14,7 @@ from sandbox.physics.accuracy.event_timing_errors import time_without_late_impac
 from sandbox.physics.accuracy.exceptions import Cancelled
 from sandbox.physics.accuracy.step_refinement import Refinement
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
 
 NUDGE = 1e-9

@@ -11,7 +11,7 @@ from types import FrameType
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.measuring.recording import count_steps
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
 from sandbox.physics.stepping.world import World
 

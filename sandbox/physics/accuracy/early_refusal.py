@@ -14,7 +14,7 @@ from sandbox.model.number_bounds import Duration
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, record, scaled
 from sandbox.physics.accuracy.step_refinement import Refinement, with_errors
 from sandbox.physics.measuring.recording import Recorder, Trace
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 SLOW = 1.5
 """The time after which the first run of a search is looked at, as a multiple of the search's work.

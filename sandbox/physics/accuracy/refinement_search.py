@@ -23,7 +23,7 @@ from sandbox.physics.accuracy.step_refinement import (
     with_errors,
 )
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 Progress = Callable[[float, Message], None]
 """A callback with the share of the work that is done, and the next run with what is known so far.

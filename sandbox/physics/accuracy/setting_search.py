@@ -51,7 +51,7 @@ from sandbox.physics.accuracy.step_refinement import (
 )
 from sandbox.physics.guarding.least_step_rate import required_rate
 from sandbox.physics.measuring.recording import Recorder, Trace
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
 
 CONFIRMED = 2.0

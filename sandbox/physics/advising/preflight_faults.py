@@ -10,7 +10,7 @@ from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.rules.level_validation import FEWEST, MAX_CORNERS, corners
 from sandbox.model.scheme_requirements import bounds_the_rate
 from sandbox.physics.scene.scene import make_scene
-from sandbox.physics.state.errors import BreakdownError, JointFailure, SimulationError
+from sandbox.physics.state.simulation_errors import BreakdownError, JointFailure, SimulationError
 
 MOST_PARTS = 20_000
 """The most bodies and joints that are built to check the rate: about 2 s."""

@@ -24,7 +24,7 @@ from sandbox.physics.measuring.unbalanced_contacts import NOTICED
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.cancellation_points import cancellable, cancellation_point
-from sandbox.physics.state.errors import BlockedError, BreakdownError, SimulationError
+from sandbox.physics.state.simulation_errors import BlockedError, BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
 
 DIRECT = Message('with "contact": {"solver": "direct"}')

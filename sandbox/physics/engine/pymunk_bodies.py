@@ -25,7 +25,7 @@ from sandbox.model.shapes import (
 )
 from sandbox.model.translatable_message import Message
 from sandbox.model.wire_points import along
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 FAR = 1000
 """The largest distance of a polygon's corners from the origin, over its size. Beyond it the area is

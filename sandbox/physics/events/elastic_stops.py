@@ -28,7 +28,7 @@ from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.state.errors import JointFailure
+from sandbox.physics.state.simulation_errors import JointFailure
 
 TOUCHING = 1e-9
 """m or rad, the distance at which a stop counts as touched."""

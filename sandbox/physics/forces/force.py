@@ -9,7 +9,7 @@ import numpy as np
 from sandbox.model.effects import force as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.state.motion import Motion

@@ -9,7 +9,7 @@ import numpy as np
 from sandbox.model.effects import potential as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Function
+from sandbox.model.functions_of_one_variable import Function
 from sandbox.model.number_bounds import EnergyInField
 from sandbox.physics.forces.field import Weight
 from sandbox.physics.forces.law import Law, LawInputs

@@ -11,8 +11,8 @@ from sandbox.model.level import Stepping
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.state.errors import SimulationError, way_out
 from sandbox.physics.state.motion import kinetic_energy
+from sandbox.physics.state.simulation_errors import SimulationError, way_out
 from sandbox.physics.state.snapshot import Snapshot
 
 MARGIN = 4

@@ -33,8 +33,8 @@ from sandbox.physics.guarding.lost_bodies import (
     stop_run,
 )
 from sandbox.physics.scene.stability_limits import MARGIN, stability_limit
-from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, kinetic_energy
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 
 EVERY = 8

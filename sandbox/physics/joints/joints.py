@@ -13,12 +13,12 @@ from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
     from sandbox.physics.forces.spring import SpringForce
+    from sandbox.physics.joints.composite_bodies import Solids, Touches
     from sandbox.physics.joints.exact.bead_on_wire import WireEquation
     from sandbox.physics.joints.exact.joint_system import JointSystem
     from sandbox.physics.joints.exact.shake import ExactJoints
     from sandbox.physics.joints.pulley import PulleyString
     from sandbox.physics.joints.pymunk_joints import OwnJoint
-    from sandbox.physics.joints.welded_bodies import Solids, Touches
     from sandbox.physics.state.anchor import Anchor
 
 

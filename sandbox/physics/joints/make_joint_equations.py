@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Formula, Function
+from sandbox.model.functions_of_one_variable import Formula, Function
 from sandbox.model.joints import (
     AngleStop,
     Gear,

@@ -37,6 +37,7 @@ from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Batch
 from sandbox.physics.forces.spring import Law, SpringForce
+from sandbox.physics.joints.composite_bodies import Solids, Touches
 from sandbox.physics.joints.exact.angle_equations import where
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation
 from sandbox.physics.joints.exact.distance_equations import Row
@@ -52,9 +53,8 @@ from sandbox.physics.joints.make_joint_equations import (
 )
 from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.joints.pymunk_joints import OwnJoint
-from sandbox.physics.joints.welded_bodies import Solids, Touches
 from sandbox.physics.state.anchor import Anchor
-from sandbox.physics.state.errors import JointFailure
+from sandbox.physics.state.simulation_errors import JointFailure
 
 NEAR = 1e-9
 """m or rad, the largest violation of a rope or stop at the time when it is tied."""

@@ -28,8 +28,8 @@ import pymunk
 from sandbox.model.shapes import XY
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.private_handles import Pair
-from sandbox.physics.state.errors import JointFailure
 from sandbox.physics.state.kick_context import Kick
+from sandbox.physics.state.simulation_errors import JointFailure
 
 MAX_ITERATIONS = 20
 

@@ -20,7 +20,7 @@ from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.measuring.running_aggregates import over_time
 from sandbox.physics.measuring.unbalanced_contacts import Unbalanced
 from sandbox.physics.quantities.meter import Meter
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import Pair, World
 

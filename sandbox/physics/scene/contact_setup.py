@@ -19,8 +19,8 @@ from sandbox.physics.contacts.detection.pair_limit import (
     most_pairs,
     refuse_crowd,
 )
-from sandbox.physics.contacts.shapes.corner_gap_closing import reach_out
 from sandbox.physics.contacts.shapes.hollow_shapes import HollowShape, make_hollow
+from sandbox.physics.contacts.shapes.initial_corner_gaps import reach_out
 from sandbox.physics.contacts.shapes.pymunk_shapes import (
     DIRECT_SKIN,
     SKIN,
@@ -31,7 +31,7 @@ from sandbox.physics.contacts.shapes.pymunk_shapes import (
     skip_ids,
 )
 from sandbox.physics.engine.broadphase import choose_broad_phase
-from sandbox.physics.joints.welded_bodies import Touches
+from sandbox.physics.joints.composite_bodies import Touches
 from sandbox.physics.scene.build_context import BuildContext, Pairs
 
 if TYPE_CHECKING:

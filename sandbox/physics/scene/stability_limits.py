@@ -11,8 +11,8 @@ from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.joints.exact.joint_failures import SINGULAR
 from sandbox.physics.joints.joints import Joints
-from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, Motion
+from sandbox.physics.state.simulation_errors import SimulationError
 
 MARGIN = 4
 """The advised rate over the least stable one; at it the energy oscillates by at most 6 %."""

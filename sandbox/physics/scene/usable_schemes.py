@@ -6,7 +6,7 @@ from typing import get_args
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.scheme_requirements import unsmooth
 from sandbox.physics.forces.declared_laws import any_law
-from sandbox.physics.state.errors import SchemeError
+from sandbox.physics.state.simulation_errors import SchemeError
 
 
 def require(level: Level, scheme: Scheme) -> None:

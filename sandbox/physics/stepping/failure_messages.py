@@ -7,7 +7,7 @@ from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import SystemTooLarge
 from sandbox.physics.contacts.impacts.endless_impacts_error import EndlessImpacts
 from sandbox.physics.scene.stability_limits import MARGIN
-from sandbox.physics.state.errors import (
+from sandbox.physics.state.simulation_errors import (
     BlockedError,
     BreakdownError,
     JointFailure,

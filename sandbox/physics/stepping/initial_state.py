@@ -12,7 +12,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import NO_CONTACTS
 from sandbox.physics.stepping.stage import Setup, Stages
-from sandbox.physics.stepping.state_at_step import Observation, Observer
+from sandbox.physics.stepping.step_observer import Observation, Observer
 
 
 def start(setup: Setup, stages: Stages, observer: Observer) -> Observation:

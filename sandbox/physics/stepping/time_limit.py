@@ -10,7 +10,7 @@ from time import perf_counter, thread_time
 
 from sandbox.model.translatable_message import Message
 from sandbox.physics.state.cancellation_points import cancellable
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 

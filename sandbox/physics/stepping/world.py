@@ -18,7 +18,7 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.initial_state import start
 from sandbox.physics.stepping.stage import Begin, Stages, set_up
 from sandbox.physics.stepping.stages.register import declared
-from sandbox.physics.stepping.state_at_step import Observer
+from sandbox.physics.stepping.step_observer import Observer
 
 if TYPE_CHECKING:
     from sandbox.physics.energy.step_record import StepRecord

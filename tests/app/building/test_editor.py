@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.app.building.drafts import OFTEN
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.recovery_choices import offers
+from sandbox.app.building.unsaved_work_choices import offers
 from sandbox.app.window import Window
 from sandbox.model import level_catalog, unsaved_files
 from tests.app.building.builder import Builder

@@ -13,11 +13,11 @@ from sandbox.app.runs.run_start import begin
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import level_catalog
-from sandbox.model.crowd_levels import crowd
 from sandbox.model.errors import ValueRangeError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose, load, parse
+from sandbox.model.many_body_levels import crowd
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from tests.app import scenes

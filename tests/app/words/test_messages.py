@@ -15,7 +15,7 @@ from sandbox.cli.update_translations import said_in
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse
 from sandbox.model.translatable_message import Message
-from sandbox.physics.state.errors import SimulationError, way_out
+from sandbox.physics.state.simulation_errors import SimulationError, way_out
 
 MAKERS = {"Message", "word"}
 """What makes a message, of which a catalogue has the template."""

@@ -45,7 +45,7 @@ from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Recorder, Trace
 from sandbox.physics.run import simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, atwood, disc, fixed, floor, level, orbit
 
 PEG = fixed({"type": "disc", "radius": 0.1})

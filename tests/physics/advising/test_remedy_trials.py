@@ -18,7 +18,7 @@ from sandbox.physics.advising.remedy_trials import (
     with_advice,
 )
 from sandbox.physics.run import simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level, orbit
 
 

@@ -12,7 +12,7 @@ from sandbox.model.contact_solver_choice import MOST_PILED, is_direct
 from sandbox.model.level import Level
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level
 from tests.sample import thinned

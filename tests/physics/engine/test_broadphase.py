@@ -5,14 +5,14 @@ from math import inf
 import pymunk
 import pytest
 
-from sandbox.model.crowd_levels import crowd
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
+from sandbox.model.many_body_levels import crowd
 from sandbox.physics.engine import broadphase
 from sandbox.physics.engine.broadphase import choose_broad_phase
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 

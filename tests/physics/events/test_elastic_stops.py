@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, G, Spec, booked, box, disc, fixed, level
 

@@ -16,7 +16,7 @@ from sandbox.physics.joints.exact.constraint_interface import Equation
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.exact.force_history import ConstraintForces
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, booked, box, disc, level
 

@@ -13,7 +13,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build, simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import (

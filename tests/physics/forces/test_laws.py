@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.model.expressions import Array
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.level import Level
 from sandbox.physics.forces.accretion import Accretion
 from sandbox.physics.forces.attraction import Attraction

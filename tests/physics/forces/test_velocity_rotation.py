@@ -14,8 +14,8 @@ from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.forces import declared_laws, velocity_rotation
 from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Motion
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, disc, level, measured, run
 

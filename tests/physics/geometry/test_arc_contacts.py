@@ -12,7 +12,7 @@ from sandbox.model.level import Level
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, run
 

@@ -20,7 +20,7 @@ from sandbox.physics.geometry import curve_contacts
 from sandbox.physics.geometry.arc_contacts import Piece
 from sandbox.physics.geometry.plane_curve import KNOT, Course, Side
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level, run
 

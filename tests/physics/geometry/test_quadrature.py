@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.expressions import Array
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.physics.geometry.quadrature import Antiderivative
 
 TIMES = (0.0, 1e-3, 0.25, 1.0, 1.04, 1.0999, 2.6, 3.0, 7.7, 40.3)

@@ -5,10 +5,10 @@ import json
 import numpy as np
 import pytest
 
-from sandbox.model.crowd_levels import crowd
 from sandbox.model.loading import parse
+from sandbox.model.many_body_levels import crowd
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import disc, level
 

@@ -9,7 +9,7 @@ from sandbox.model.level import Level
 from sandbox.physics.geometry.outline_distance import smallest_width
 from sandbox.physics.guarding.least_step_rate import rate_bounds
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level, measured
 
 

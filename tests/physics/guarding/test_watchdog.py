@@ -8,7 +8,7 @@ import pytest
 from sandbox.model.level import Level, Stepping
 from sandbox.model.translatable_message import Message
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import (
     GRAVITY,

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Rows
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, Spec, disc, level, measured, worst
 

@@ -15,7 +15,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.measuring.event_interpolation import crossing
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, level, measured, run, table, worst
 
 

@@ -11,7 +11,7 @@ from sandbox.model.loading import parse
 from sandbox.physics.joints import pulley as pulley_string
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import (
     GRAVITY,
     G,

@@ -4,7 +4,7 @@ import pytest
 
 from sandbox.physics.joints.exact import joint_failures
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, disc, level
 
 

@@ -8,7 +8,7 @@ import pytest
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.run import build, simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import box, disc, level
 
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.level import Level
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, level, measured, run, worst
 
 TURNING = {**GRAVITY, "rotation": {}}

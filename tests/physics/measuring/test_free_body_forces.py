@@ -15,7 +15,7 @@ from sandbox.physics.contacts.direct.solver import DirectSolver
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, AppliedForce, FreeBody
 from sandbox.physics.measuring.free_body_forces import FreeBodies
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import NoForces, SimulationError
+from sandbox.physics.state.simulation_errors import NoForces, SimulationError
 from sandbox.physics.stepping.world import World
 from tests.effects import BODIES, examples
 from tests.physics import scenes

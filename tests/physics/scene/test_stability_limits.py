@@ -11,7 +11,7 @@ from sandbox.model.level import Level
 from sandbox.model.loading import load
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import Spec, disc, level, measured
 
 H = 1 / 60

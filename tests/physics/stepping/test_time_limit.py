@@ -7,12 +7,12 @@ from itertools import accumulate
 
 import pytest
 
-from sandbox.model.crowd_levels import crowd
 from sandbox.model.loading import parse
+from sandbox.model.many_body_levels import crowd
 from sandbox.physics import run
 from sandbox.physics.measuring import recording
 from sandbox.physics.run import build, simulate
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping import time_limit
 from sandbox.physics.stepping.time_limit import TimeLimit
 from sandbox.physics.stepping.world import World

@@ -12,7 +12,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.physics.forces.attraction import Attraction
 from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import BreakdownError, SimulationError
+from sandbox.physics.state.simulation_errors import BreakdownError, SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping import kicks_in_place
 from sandbox.physics.stepping.make_world import make_world

@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from validation.formulas.energy import kepler_period, kepler_place
 from validation.formulas.oscillators import damped_oscillation, pendulum_period
 from validation.formulas.runge_kutta import solution

@@ -8,7 +8,7 @@ import numpy as np
 import pygame
 
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.drawing import curve_markers, theme
+from sandbox.app.drawing import line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.earlier_runs import alike
@@ -149,7 +149,7 @@ def _values(
         )
         if (sign := _sign(name, up)) is not None:
             mark = pygame.Surface((indent, left.height), pygame.SRCALPHA)
-            curve_markers.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
+            line_styles.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
             card.put(mark, 0)
         card.put(left, indent)
         card.put(right, card.width - right.width)

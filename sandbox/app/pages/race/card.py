@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import pygame
 
 from sandbox.app.cards.card import GAP, Card, noted
-from sandbox.app.drawing import curve_markers, lines, theme
+from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.race import scheme_comparison
@@ -63,5 +63,5 @@ def _swatch(color: Color | None, lane: int) -> pygame.Surface:
         line.fill(theme.ACCENT, (0, 1, 18, 3))
         return line
     for y in (1, 2, 3):
-        lines.dashed(line, color, ((0, y), (18, y)), *curve_markers.dash(lane))
+        lines.dashed(line, color, ((0, y), (18, y)), *line_styles.dash(lane))
     return line

@@ -2,9 +2,9 @@
 
 import pygame
 
-from sandbox.app.stage import motion_marks
-from sandbox.app.stage.drawing_data import View
+from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
 
 AT_REST = 1e-6
 """Bodies that move by less than this fraction of the visible width in the level's duration count as
@@ -15,7 +15,7 @@ def seconds(view: View) -> float | None:
     """Return the time that velocity arrows look ahead [s]; None if all bodies are at rest."""
     if not view.few or not view.moving or view.fastest * view.duration < AT_REST * view.width:
         return None
-    return motion_marks.LONGEST * view.width / view.fastest
+    return motion_annotations.LONGEST * view.width / view.fastest
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
@@ -30,9 +30,9 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if ahead is None:
         return
     for place, velocity in moves:
-        motion_marks.draw_arrow(surface, view.camera, place, velocity, ahead)
+        motion_annotations.draw_arrow(surface, view.camera, place, velocity, ahead)
     corner = view.camera.size[0] - 16.0, view.camera.size[1] - float(view.pen.px(66))
-    motion_marks.draw_arrow_key(surface, view.camera, view.pen, ahead, corner)
+    motion_annotations.draw_arrow_key(surface, view.camera, view.pen, ahead, corner)
 
 
 OVERLAY = Overlay(

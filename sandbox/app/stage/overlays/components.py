@@ -2,10 +2,10 @@
 
 import pygame
 
-from sandbox.app.stage import motion_marks
-from sandbox.app.stage.drawing_data import View
+from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.overlays import arrows
 from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
@@ -14,7 +14,9 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         return
     for outline in view.moving:
         position, velocity = view.state(outline)[0], view.velocity(outline)
-        motion_marks.draw_components(surface, view.camera, view.pen, position, velocity, ahead)
+        motion_annotations.draw_components(
+            surface, view.camera, view.pen, position, velocity, ahead
+        )
 
 
 OVERLAY = Overlay(

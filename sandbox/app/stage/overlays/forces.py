@@ -6,10 +6,10 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.observing import forces_on_selection
-from sandbox.app.stage import motion_marks
-from sandbox.app.stage.drawing_data import View
+from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.given_force_arrows import LONGEST, beside
 from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
 from sandbox.model.effects.force import Force
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FRICTION, FreeBody
@@ -43,7 +43,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if lines.near((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
     moving = view.moving if view.few else ()
-    avoid = motion_marks.boxes(view.camera, ((each, *view.state(each)) for each in moving))
+    avoid = motion_annotations.boxes(view.camera, ((each, *view.state(each)) for each in moving))
     written = [
         beside(surface, view.pen, text, start, end, view.labels, color, name, avoid)
         for text, start, end, color, name in ends

@@ -2,9 +2,9 @@
 
 import pygame
 
-from sandbox.app.stage import motion_marks
-from sandbox.app.stage.drawing_data import View
+from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
@@ -12,11 +12,11 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if world.disturbed or t > view.duration * (1 + 1e-9):
         return
     for name, formulas in world.level.ghosts.items():
-        where = motion_marks.place(formulas, world.values, t)
+        where = motion_annotations.place(formulas, world.values, t)
         if where is not None:
             outline = view.outlines[name]
             angle = view.state(outline)[1]
-            motion_marks.draw_ghost(surface, view.camera, outline, where, angle)
+            motion_annotations.draw_ghost(surface, view.camera, outline, where, angle)
 
 
 def _draw_paths(surface: pygame.Surface, view: View) -> None:
@@ -24,7 +24,9 @@ def _draw_paths(surface: pygame.Surface, view: View) -> None:
     if world.disturbed or view.observer.place is not None:  # the paths are those on the ground
         return
     for formulas in world.level.ghosts.values():
-        motion_marks.draw_ghost_path(surface, view.camera, formulas, world.values, view.duration)
+        motion_annotations.draw_ghost_path(
+            surface, view.camera, formulas, world.values, view.duration
+        )
 
 
 OVERLAY = Overlay(

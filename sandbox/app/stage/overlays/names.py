@@ -2,15 +2,15 @@
 
 import pygame
 
-from sandbox.app.stage import motion_marks
-from sandbox.app.stage.drawing_data import View
+from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
     if view.few:
         named = [(outline, *view.state(outline)) for outline in view.moving]
-        motion_marks.draw_names(surface, view.camera, view.pen, named, view.labels)
+        motion_annotations.draw_names(surface, view.camera, view.pen, named, view.labels)
 
 
 OVERLAY = Overlay(name="names", key="n", text="names", draw=_draw, caption="Names")

@@ -12,9 +12,9 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.body_outlines import Outline
-from sandbox.app.stage.drawing_data import View
 from sandbox.app.stage.overlays.arrows import seconds
 from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 

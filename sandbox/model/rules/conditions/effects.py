@@ -13,7 +13,7 @@ from sandbox.model.effects.potential import Potential
 from sandbox.model.errors import brief
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, NonNegative, Positive, Values
-from sandbox.model.functions import Function
+from sandbox.model.functions_of_one_variable import Function
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in

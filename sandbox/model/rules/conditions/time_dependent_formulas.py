@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model.errors import brief
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.joints import Rod
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level

@@ -6,7 +6,7 @@ from keyword import iskeyword
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.expression_compiler import RESERVED
-from sandbox.model.functions import VARIABLES, Curve, Formula
+from sandbox.model.functions_of_one_variable import VARIABLES, Curve, Formula
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions

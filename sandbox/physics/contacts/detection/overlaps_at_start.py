@@ -21,7 +21,7 @@ from sandbox.physics.contacts.detection.contact_queries import touched
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.contacts.shapes.pymunk_shapes import slop_of
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.shapes.one_way_surfaces import Gates

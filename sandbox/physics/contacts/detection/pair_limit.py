@@ -13,7 +13,7 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 MOST_PAIRS = 60_000
 """The most pairs in reach if there were no sweeps: their step takes a tenth of a second."""

@@ -46,7 +46,7 @@ from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 from sandbox.physics.joints.exact.joint_system import Course
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 
 class DirectSolver:

@@ -31,7 +31,7 @@ from sandbox.physics.geometry.arc_contacts import Arc, Piece
 from sandbox.physics.geometry.convex_decomposition import convex_parts
 from sandbox.physics.geometry.curve_contacts import course_of
 from sandbox.physics.geometry.plane_curve import Course, Side
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 HollowShape = ArcShape | Hoop | CurveShape
 """Shapes that may be touched from inside."""

@@ -15,7 +15,7 @@ from sandbox.physics.contacts.shapes.corner_feelers import ShapedBody, core_of
 from sandbox.physics.contacts.shapes.pair_exclusion import keep_apart
 from sandbox.physics.geometry.arc_contacts import Arc
 from sandbox.physics.geometry.plane_curve import Course
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 
 NEAR = 1e-4
 """The share of a hoop's radius by which a body may cross it and still count as on one side."""

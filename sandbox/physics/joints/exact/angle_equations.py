@@ -12,7 +12,7 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Share
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.state.anchor import Anchor
-from sandbox.physics.state.errors import JointFailure
+from sandbox.physics.state.simulation_errors import JointFailure
 
 PLANE = -1
 """The index of the plane itself, which is the last of the bodies."""

@@ -21,7 +21,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     planes,
 )
 from sandbox.physics.joints.exact.distance_equations import Reaches, Row
-from sandbox.physics.state.errors import JointFailure
+from sandbox.physics.state.simulation_errors import JointFailure
 
 
 class Equations:

@@ -20,7 +20,7 @@ from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.exact.equation_tables import Equations
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.separate_joints import are_apart
-from sandbox.physics.state.errors import JointFailure
+from sandbox.physics.state.simulation_errors import JointFailure
 
 SINGULAR = 1e-10
 """Joints are redundant if the ratio of smallest to largest singular value is below this."""

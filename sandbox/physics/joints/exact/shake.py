@@ -33,7 +33,7 @@ from sandbox.physics.joints.exact.joint_failures import check_independent, lost,
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.separate_joints import alone
 from sandbox.physics.state.cancellation_points import cancellation_point
-from sandbox.physics.state.errors import JointFailure
+from sandbox.physics.state.simulation_errors import JointFailure
 
 TAUT = 1e-12
 """m, the largest excess length of a slack rope: the rounding error of its length."""

@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.translatable_message import Message
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.drifts_and_kicks import Kicks
 from sandbox.physics.stepping.stage import Setup, Stage
 

@@ -39,11 +39,11 @@ def _has_cuts(setup: Setup) -> bool:
 
 
 STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] = {
-    "events that act": (lambda s: s.level.has_events, _by("drift_events")),
+    "events that act": (lambda s: s.level.has_events, _by("events_within_step")),
     "force laws": (lambda s: s.forces.acts, _by("force_laws")),
     "motions of kinematic bodies": (_has_motions, _by("kinematic_bodies")),
     "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("non_pymunk_joints")),
-    "located impacts, and located ends of slipping": (_has_cuts, _by("located_events")),
+    "located impacts, and located ends of slipping": (_has_cuts, _by("impacts_and_slip_ends")),
     "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequential_impacts")),
     "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct_solver")),
     "one-way surfaces": (lambda s: s.scene.gates is not None, _by("one_way_gates")),

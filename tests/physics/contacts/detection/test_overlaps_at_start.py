@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.physics.advising.preflight_faults import refusal
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import Spec, box, disc, fixed, floor, level
 
 LINE: Spec = {

@@ -14,7 +14,7 @@ from sandbox.physics.contacts.detection.pair_limit import (
 )
 from sandbox.physics.guarding import watchdog
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import Pair, Spec, disc, level
 

@@ -20,7 +20,7 @@ from sandbox.physics.contacts.direct.solving import constraint_impulses
 from sandbox.physics.contacts.direct.solving.newton_method import newton
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, worst

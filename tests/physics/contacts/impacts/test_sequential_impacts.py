@@ -15,7 +15,7 @@ from sandbox.physics.contacts.impacts import pile_impacts, sequential_impacts
 from sandbox.physics.contacts.impacts.pile_impacts import Pile, pushes
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, run, worst

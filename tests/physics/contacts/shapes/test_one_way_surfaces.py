@@ -11,7 +11,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, floor, level
 
 Said = dict[str, Any]

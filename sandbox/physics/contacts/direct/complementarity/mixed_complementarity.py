@@ -21,7 +21,7 @@ from math import inf, sqrt
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.active_set import ActiveSetResult
+from sandbox.physics.contacts.direct.complementarity.active_set_update import ActiveSetResult
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active, Problem
 from sandbox.physics.contacts.direct.complementarity.damped_updates import damped
 from sandbox.physics.contacts.direct.complementarity.friction_bounds import FrictionBounds

@@ -24,6 +24,7 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.drifts.drift_part_solver import PartSolver
 from sandbox.physics.contacts.direct.drifts.drift_parts import (
     DriftPart,
     around,
@@ -31,7 +32,6 @@ from sandbox.physics.contacts.direct.drifts.drift_parts import (
     linked,
     moving,
 )
-from sandbox.physics.contacts.direct.drifts.first_landing import until_first
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
 from sandbox.physics.contacts.direct.drifts.joint_catches import (
     catch_time,
@@ -40,7 +40,7 @@ from sandbox.physics.contacts.direct.drifts.joint_catches import (
     until_caught,
 )
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
-from sandbox.physics.contacts.direct.drifts.part_solver import PartSolver
+from sandbox.physics.contacts.direct.drifts.landing_time_refinement import until_first
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, crowd, stopped
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
@@ -52,7 +52,7 @@ from sandbox.physics.contacts.direct.prediction.speculative_contacts import Spec
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.warm_start import recalled
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 LEAST = 0.06
 """If contacts do not keep their gaps, parts above this share of the drift are divided: bodies that

@@ -20,7 +20,7 @@ from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.joint_system import Course
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 PARTS = (2, 4, 8, 16, 32)
 """The numbers of parts that are tried in turn. Only with the last one may velocities be constrained

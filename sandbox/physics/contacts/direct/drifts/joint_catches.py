@@ -13,8 +13,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
-from sandbox.physics.contacts.direct.drifts.first_landing import REFINED, Shortened
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
+from sandbox.physics.contacts.direct.drifts.landing_time_refinement import REFINED, Shortened
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.geometry.root_finding import SecantMethod, root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
@@ -90,7 +90,7 @@ def until_caught(
     """Return a part up to where its first joint catches, at about a time [s].
 
     `part` is loose; for the other parameters see `catch_time`. The time depends on the length for
-    which the part is solved, as in `first_landing`.
+    which the part is solved, as in `landing_time_refinement`.
     """
     shorter, times = part, SecantMethod(part.drift, (part.drift, time))
     for _ in range(REFINED):

@@ -12,7 +12,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.root_finding import SecantMethod
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 LEAST = 1e-8
 """m: the end of a slip is located only if the slip would be longer in the drift."""

@@ -26,7 +26,7 @@ from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
 )
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 MANY = 3
 """More landings of one island than this in a drift make a crowd."""

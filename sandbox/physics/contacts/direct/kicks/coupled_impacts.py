@@ -13,7 +13,7 @@ from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.impacts.pile_impacts import Pile
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import angles, order, planes
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 ROUNDING = 1e-9
 """An approach below this share of the speeds of two bodies, and of the velocity change in a step,

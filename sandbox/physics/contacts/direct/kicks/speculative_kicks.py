@@ -10,7 +10,7 @@ from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
     SpeculativeContacts,
 )
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 
 class SolvedKick(Protocol):

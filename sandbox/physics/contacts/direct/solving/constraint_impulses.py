@@ -12,7 +12,7 @@ from sandbox.physics.contacts.direct.rows.row_layout import Layout
 from sandbox.physics.contacts.direct.solving.newton_method import newton
 from sandbox.physics.contacts.direct.solving.redundant_contacts import check_held, without_held
 from sandbox.physics.joints.exact.constraint_interface import GROWS
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 GIVES = 1e-3
 """The share of the kinetic energy that normal forces may add in a kick. With short enough steps

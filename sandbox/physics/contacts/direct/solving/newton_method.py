@@ -19,7 +19,7 @@ from sandbox.physics.contacts.direct.rows.row_layout import Island, Layout
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import MAX_ITERATIONS, QUADRATIC, Rows
 from sandbox.physics.joints.exact.shake import TAUT
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 SOON = 5
 """The number of first iterations, far from the solution, in which redundant rows may disagree."""

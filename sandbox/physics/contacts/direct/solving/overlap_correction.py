@@ -14,7 +14,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import PROUD, Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout, Surfaces
 from sandbox.physics.contacts.direct.solving.newton_method import newton
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 NOTHING = 1e-12
 """m, the rounding of an overlap from step to step; smaller corrections are not made."""

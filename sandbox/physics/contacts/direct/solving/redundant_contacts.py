@@ -13,7 +13,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.state.errors import NoForces
+from sandbox.physics.state.simulation_errors import NoForces
 
 MOVES = 1e3 * CUT
 """Joints determine a contact if they leave it less than this share of its inverse mass."""

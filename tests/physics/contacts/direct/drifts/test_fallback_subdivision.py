@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct.solver import DirectSolver
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build, simulate
-from sandbox.physics.state.errors import NoForces, SimulationError
+from sandbox.physics.state.simulation_errors import NoForces, SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, level
 
 EFFECTS = {**GRAVITY, "contact": {}, "friction": {}, "rotation": {}}

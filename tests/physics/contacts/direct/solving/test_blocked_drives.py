@@ -5,7 +5,7 @@ import pytest
 from sandbox.model.level import Level
 from sandbox.physics.advising.remedy_trials import with_advice
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import BlockedError
+from sandbox.physics.state.simulation_errors import BlockedError
 from tests.physics.scenes import GRAVITY, Spec, box, fixed, floor, level
 
 ROUGH: Spec = {**GRAVITY, "contact": {"solver": "direct"}, "friction": {}, "rotation": {}}

@@ -6,7 +6,7 @@ import pytest
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.run import build
-from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, booked, box, fixed, level
 from tests.sample import thinned
 

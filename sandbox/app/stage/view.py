@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.stage import motion_marks
+from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.body_outlines import Outline, outlines
 from sandbox.app.stage.given_force_arrows import Forces
 from sandbox.app.stage.label_placement import Labels
@@ -75,7 +75,7 @@ class View:
             [evaluate(world.level.bodies[o.name].position, world.values) for o in self.moving]
         )
         """The positions of moving bodies in the level: (k, 2) [m]."""
-        self._fastest = motion_marks.fastest(world, self.duration)
+        self._fastest = motion_annotations.fastest(world, self.duration)
 
     def state(self, outline: Outline) -> tuple[XY, float]:
         """Return the position [m] and the angle [rad] of a body."""

@@ -8,7 +8,7 @@ import pygame
 import pytest
 from pygame_gui.core import UIElement
 
-from sandbox.app import main, window_timing
+from sandbox.app import main, window_benchmark
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.panels.verdicts_and_energies import Foot
@@ -34,15 +34,15 @@ def unfinished(window: Window) -> int:
 @pytest.mark.sweep
 def test_all_widgets_are_drawn_before_frames_are_timed(monkeypatch: pytest.MonkeyPatch) -> None:
     left: list[int] = []
-    play = window_timing._play
+    play = window_benchmark._play
 
     def watched(window: Window, count: int) -> tuple[list[float], float]:
         left.append(unfinished(window))
         return play(window, count)
 
-    monkeypatch.setattr(window_timing, "_play", watched)
-    monkeypatch.setattr(window_timing, "first_picture", lambda _: 1.0)
-    window_timing.time_window("newton/atwood", (900, 600), 0.1)
+    monkeypatch.setattr(window_benchmark, "_play", watched)
+    monkeypatch.setattr(window_benchmark, "first_picture", lambda _: 1.0)
+    window_benchmark.time_window("newton/atwood", (900, 600), 0.1)
 
     assert left == [0]
 
@@ -71,11 +71,11 @@ def test_a_switch_is_from_another_level_to_the_one_that_is_asked_for(
     monkeypatch.setattr(window, "open_level", watched)
     monkeypatch.setattr(pygame.display, "flip", watched_flip)
     begun = perf_counter()
-    took = window_timing._switch(window, asked)
+    took = window_benchmark._switch(window, asked)
     window.close()
 
     assert opened == [before, asked]
-    assert shown == [before] * window_timing.LOOKS + [asked]
+    assert shown == [before] * window_benchmark.LOOKS + [asked]
     assert 0 < took < perf_counter() - begun
 
 
@@ -146,8 +146,8 @@ def test_a_page_is_not_drawn_again_while_nothing_changes(
 @pytest.mark.sweep
 def test_a_window_is_gone_after_it_was_timed(monkeypatch: pytest.MonkeyPatch) -> None:
     """All windows were kept until the end: 46 MB for each level."""
-    monkeypatch.setattr(window_timing, "first_picture", lambda _: 1.0)
+    monkeypatch.setattr(window_benchmark, "first_picture", lambda _: 1.0)
 
-    window_timing.time_window("newton/atwood", (900, 600), 0.1)
+    window_benchmark.time_window("newton/atwood", (900, 600), 0.1)
 
     assert gc.get_freeze_count() == 0  # nothing is kept from Python's search for what is lost

@@ -7,7 +7,7 @@ from math import copysign, hypot
 import numpy as np
 import pygame
 
-from sandbox.app.drawing import curve_markers, lines, theme
+from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -18,7 +18,7 @@ from sandbox.app.words.formatting import name_in_words, nice, number
 from sandbox.app.words.level_translation import Say
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.functions import Formula
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 
@@ -66,7 +66,7 @@ def draw_ghost(
     corners = camera.path(outline.placed(position, angle))
     if outline.closed:
         corners.append(corners[0])
-    lines.dashed(surface, color, corners, *curve_markers.dash(lane or 0))
+    lines.dashed(surface, color, corners, *line_styles.dash(lane or 0))
     if lines.near(corners):
         x, y = camera.to_screen(position)
         pygame.draw.aacircle(surface, color, (x, y), 2)

@@ -14,7 +14,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.joints.exact.constraint_interface import order
-from sandbox.physics.state.errors import JointFailure, NoForces
+from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 BRIEF = 1e-3
 """If no forces are found for less than this share of a part, those of the whole part are used: over

@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from sandbox.app import run_legend
-from sandbox.app.drawing import curve_markers, theme
+from sandbox.app.drawing import line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import energy_graph
 from sandbox.app.pages.graph.chosen_quantities import Choice
@@ -20,19 +20,19 @@ SIZE = (40, 16)
 def drawn(which: int) -> bytes:
     """Return the shape of a marker."""
     surface = pygame.Surface((16, 16))
-    curve_markers.sign(surface, which, (255, 255, 255), (8, 8))
+    line_styles.sign(surface, which, (255, 255, 255), (8, 8))
     return pygame.image.tobytes(surface, "RGB")
 
 
 def test_no_two_signs_look_alike() -> None:
-    forms = [drawn(which) for which in range(curve_markers.SIGNS)]
+    forms = [drawn(which) for which in range(line_styles.SIGNS)]
 
     assert all(a != b for a, b in combinations(forms, 2))
-    assert drawn(curve_markers.SIGNS) == forms[0]
+    assert drawn(line_styles.SIGNS) == forms[0]
 
 
 def test_the_lanes_are_dashed_each_in_a_way_of_its_own(pen: Pen) -> None:
-    assert len(set(curve_markers.DASHES)) == len(theme.LANES) == len(curve_markers.DASHES)
+    assert len(set(line_styles.DASHES)) == len(theme.LANES) == len(line_styles.DASHES)
     rows = []
     for lane in range(len(theme.LANES)):
         surface = pygame.Surface((300, 300))
@@ -79,4 +79,4 @@ def test_racing_runs_are_dashed_otherwise_on_the_stage(person: Person, tmp_path:
     scheme_comparison.toggle(person.session)
     lanes = [companion.variant.lane for companion in person.session.companions]
 
-    assert len({curve_markers.dash(lane) for lane in lanes}) == len(lanes) >= 2
+    assert len({line_styles.dash(lane) for lane in lanes}) == len(lanes) >= 2

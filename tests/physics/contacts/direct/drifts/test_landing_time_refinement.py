@@ -6,12 +6,12 @@ from typing import Any
 import pytest
 
 from sandbox.physics.contacts.detection.time_of_impact import Hit
-from sandbox.physics.contacts.direct.drifts.first_landing import until_first
 from sandbox.physics.contacts.direct.drifts.first_meeting import (
     FirstMeeting,
     PossibleMeetings,
     moments,
 )
+from sandbox.physics.contacts.direct.drifts.landing_time_refinement import until_first
 
 FIRST, SECOND = (0, 1), (2, 3)
 

@@ -5,9 +5,9 @@ import json
 import pytest
 
 from sandbox.model.body import MAX_BODIES
-from sandbox.model.crowd_levels import CROWDS, CrowdError, crowd
 from sandbox.model.level_writing import text
 from sandbox.model.loading import MAX_BYTES, parse
+from sandbox.model.many_body_levels import CROWDS, CrowdError, crowd
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
 
