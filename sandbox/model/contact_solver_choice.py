@@ -1,9 +1,12 @@
 """How contacts are solved where a level leaves that open: directly, or by pymunk's sweeps."""
 
 from collections import Counter
+from collections.abc import Sequence
 
 from sandbox.model.effects.contact import Contact
 from sandbox.model.events import cut_joints, tied_joints
+from sandbox.model.expression_compiler import ExpressionError
+from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import (
     Held,
     OneSided,
@@ -74,15 +77,22 @@ def _may_press(level: Level, contact: Contact) -> bool:
     """
     if contact.located or contact.overlaps or level.effects.in_sequence:
         return False
-    masses = [
-        b.mass(level.defaults) for b in level.bodies.values() if b.type == "dynamic" and b.mass
-    ]
+    masses = [b.mass for b in level.bodies.values() if b.type == "dynamic" and b.mass]
     if level.joints:
         return len(masses) <= MOST_SPRUNG
     if not 1 < len(masses) <= MOST_PILED:
         return False
     forced = any(effect.is_force for effect in level.effects.declarations)
-    return forced or len(masses) >= FEW or max(masses) > UNEQUAL * min(masses)
+    return forced or len(masses) >= FEW or _are_unequal(masses, level.defaults)
+
+
+def _are_unequal(masses: Sequence[Expression], defaults: Values) -> bool:
+    """Whether masses differ much; not if one has no value, for which the level will be refused."""
+    try:
+        values = [mass(defaults) for mass in masses]
+    except (KeyError, ExpressionError):
+        return False
+    return max(values) > UNEQUAL * min(values)
 
 
 def may_be_direct(level: Level) -> bool:

@@ -157,6 +157,17 @@ def test_an_unknown_parameter_is_told_wherever_one_may_stand(place: Place, value
     assert not [mistake for mistake in found if "nothing can be computed" in mistake.rule]
 
 
+@pytest.mark.parametrize("mass", ["mas", "1/(p - 1)", "-p"])
+def test_a_mass_without_a_value_is_told_where_the_solver_depends_on_masses(mass: str) -> None:
+    """Which solver contacts have by default depends on the ratio of two masses."""
+    data = bare()
+    data["bodies"]["other"] = {"shape": {"type": "disc", "radius": 1}, "mass": mass}
+    data["parameters"] |= {"p": {"value": 1, "min": 0, "max": 2}}
+    data["effects"] |= {"contact": {}}
+
+    assert "bodies.other.mass" in [m.path for m in mistakes(data)]
+
+
 def test_formulas_stand_in_bodies_effects_joints_and_checks() -> None:
     places = {sample.id for sample in FORMULAS}
 

@@ -19,7 +19,7 @@ from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.physics.forces.variable_mass import MassFraction
-from sandbox.physics.state.motion import Motion
+from sandbox.physics.state.motion import Motion, Reading
 
 if TYPE_CHECKING:
     from sandbox.physics.forces.force_switch import Switches
@@ -45,12 +45,16 @@ class Law(Protocol):
 
 def exert(law: Law, motion: Motion, wrench: Array) -> None:
     """Add what a law does in a kick in which it sees a motion, and its `path` if it has one."""
-    law.add(motion, wrench)
-    for share, other in getattr(motion, "path", ()):
-        if law.effect.depends_on_velocity:
-            there = np.zeros_like(wrench)
-            law.add(other, there)
-            wrench += share * there
+    if not (isinstance(motion, Reading) and motion.path and law.effect.depends_on_velocity):
+        law.add(motion, wrench)
+        return
+    now = np.zeros_like(wrench)
+    law.add(motion, now)
+    wrench += now
+    for weight, other in motion.path:
+        then = np.zeros_like(wrench)
+        law.add(other, then)
+        wrench += weight * (then - now)  # exactly 0 for bodies whose velocity is the same
 
 
 class VelocityRotation(Protocol):

@@ -154,12 +154,15 @@ def mean(points: Sequence[complex]) -> complex:
 
 
 def _edges(core: Sequence[complex]) -> list[_Edge]:
-    """Return the edges of a core; a segment has two, one in each direction, a point has none."""
+    """Return the edges of a core; a segment has two, one in each direction, a point has none.
+
+    Between corners that rounding puts at one place there is none.
+    """
     found = []
-    for i in range(len(core) if len(core) > 1 else 0):
-        along = core[i] - core[i - 1]
-        out = -1j * along / abs(along)
-        found.append(_Edge(core[i - 1], core[i], along, dot(along, along), out))
+    for i in range(len(core)):
+        if along := core[i] - core[i - 1]:
+            out = -1j * along / abs(along)
+            found.append(_Edge(core[i - 1], core[i], along, dot(along, along), out))
     return found
 
 

@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.state.cancellation_points import cancellation_point
 
 PANEL = 0.25
 """The length of the panels that an integral is made of."""
@@ -40,10 +41,12 @@ class Antiderivative:
         self._function = function
         self._panels, self._sum = 0, 0.0
         self._starts, self._sums = array("d"), array("d")  # intervals, and integrals up to them
+        self._add_panel()
 
     def __call__(self, x: float) -> float:
-        """Return the integral from 0 to x; not finite beyond values that are not."""
+        """Return the integral from 0 to x >= 0; not finite beyond values that are not."""
         while x >= PANEL * self._panels:
+            cancellation_point()
             self._add_panel()
         i = max(bisect_right(self._starts, x) - 1, 0)
         start = self._starts[i]

@@ -55,7 +55,7 @@ def _in_arc(touch: Touch, pose: Placed, other_pose: Placed) -> ContactGeometry:
     """Return the contact of a point, with a radius around it, with an arc from inside."""
     center = to_plane(pose, touch.arc.center)
     offset = to_plane(other_pose, touch.point) - center
-    outward = offset / abs(offset)
+    outward = offset / abs(offset) if offset else 1j  # at the center any direction is as near
     return ContactGeometry(
         -outward,
         center + offset + touch.radius * outward,

@@ -111,6 +111,8 @@ def _constrained_decay(decay_of_free: Array, inverse_mass: Array, joints: Joints
     if not joints.together:
         return float(decay_of_free.max())
     stiff = joints.together.stiff()
+    if not len(stiff):  # ropes that are slack
+        return float(decay_of_free.max())
     joined = np.flatnonzero(stiff.any(axis=(0, 2)))
     others = float(np.delete(decay_of_free, joined).max(initial=0.0))
     constrained = (stiff[:, joined] * np.sqrt(inverse_mass[joined])).reshape(len(stiff), -1)

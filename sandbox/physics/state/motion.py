@@ -59,8 +59,9 @@ class Reading:
     """The motion of n bodies, as views of one array; see `Motion`.
 
     `state`, (n, 6), has x, y, angle, and their rates of change [m, rad, m/s, rad/s] at a time
-    t [s]. `path` are other motions, with weights that add up to 0: what forces that depend on
-    velocities did differently in a drift with landings, which the kick after it makes up for.
+    t [s]. `path` are motions with other velocities, and their weights, which add up to 0. They
+    say what forces that depend on velocities did differently in a drift with landings; the kick
+    after it makes up for that.
     """
 
     __slots__ = ("path", "state", "t")

@@ -193,19 +193,25 @@ def _path(
 ) -> tuple[tuple[float, Reading], ...]:
     """Return the motions in a drift of dt [s] with landings, and their weights in the next kick.
 
-    The kick before it took forces as in `last` to its middle, and the kick after it those of
-    `reading` from there on. The mean along the path, by the trapezoidal rule, is to replace that.
+    The kick before it took the forces at the velocities of `last` up to its middle, and the kick
+    after it takes those of `reading` from there on. The mean along the path, by the trapezoidal
+    rule, is to replace that. All motions are at the place and time of `reading`, so the weights
+    cancel for whatever does not depend on velocities; bodies without a landing keep theirs.
     """
-    start, t = float(last.t), landed.first * dt / 2
-    nodes = [(0.0, Reading(last.t, last.state))]
+
+    def at(velocity: Array) -> Reading:
+        state = reading.state.copy()
+        state[:, 3:] = np.where(landed.reached[:, None], velocity, state[:, 3:])
+        return Reading(reading.t, state)
+
+    t = landed.first * dt / 2
+    nodes = [(0.0, at(last.state[:, 3:]))]
     if landed.first < 1:
-        halfway = np.concatenate((last.state[:, :3], landed.before[-1].velocity), axis=1)
-        nodes.append((t, Reading(np.asarray(start + t), halfway)))
-    for place, _, stage in landed.between[:-1]:
+        nodes.append((t, at(landed.before[-1].velocity)))
+    for _, _, stage in landed.between[:-1]:
         t += stage.lasts
-        state = np.concatenate((place, stage.velocity), axis=1)
-        nodes.append((t, Reading(np.asarray(start + t), state)))
-    nodes.append((dt, Reading(reading.t, reading.state)))
+        nodes.append((t, at(stage.velocity)))
+    nodes.append((dt, at(reading.state[:, 3:])))
     times = np.array([time for time, _ in nodes])
     weights = np.convolve(np.diff(times), (0.5, 0.5)) / dt
     weights[[0, -1]] -= 0.5

@@ -28,6 +28,13 @@ def test_squares_at_their_corners_are_as_far_as_these() -> None:
     assert found.points == (1 + 1j,)
 
 
+def test_corners_that_rounding_puts_at_one_place_have_no_side_between_them() -> None:
+    """A box of 1e-15 m by 2 m, a metre from the origin."""
+    flat = [1 - 1j, 1 - 1j, 1 + 1j, 1 + 1j]
+
+    assert gap(SQUARE, [c + 2 for c in flat], 0.0).distance == pytest.approx(2)
+
+
 def test_an_overlap_is_a_negative_gap_along_the_shortest_way_out() -> None:
     found = gap(SQUARE, [c + 0.3 - 1.8j for c in SQUARE], 0.0)
 

@@ -219,3 +219,12 @@ def test_torques_on_two_of_many_bodies_are_tried_on_these_alone() -> None:
     with pytest.raises(SimulationError) as pair:
         build(level(alike, {"rotation": {}, "torque": [brake]}))
     assert (refused.value.rate, refused.value.reason) == (pair.value.rate, pair.value.reason)
+
+
+def test_a_slack_rope_leaves_the_limit_of_drag_as_it_is() -> None:
+    """It holds nothing, so there was no equation to divide by."""
+    rope = {"type": "rope", "ends": [[0, 0], "ball"], "length": 2}
+    scene = level({"ball": disc((1, 0), mass=1)}, {"drag": {"linear": 500}}, joints={"rope": rope})
+
+    with pytest.raises(SimulationError, match="needs a 'rate' of at least 501"):
+        build(scene)

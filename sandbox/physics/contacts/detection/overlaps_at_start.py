@@ -101,7 +101,9 @@ def _arcs_in_arcs(names: Mapping[pymunk.Body, str], hollows: Hollows | None) -> 
         circle = (*(round(x, DIGITS) for x in (center.real, center.imag, arc.radius)),)
         same = seen.setdefault(circle, [])
         for other, way, reach in same:
-            if meets(body, other) and abs(phase(way / middle)) < half + reach:
+            common = (half + reach - abs(phase(way / middle))) * arc.radius
+            moves = pymunk.Body.DYNAMIC in (body.body_type, other.body_type)
+            if moves and meets(body, other) and common > TOUCHING:
                 first, second = sorted((names[body], names[other]))
                 yield Overlap(arc.outer - arc.inner, (first, second), directed=False)
         same.append((body, middle, half))
@@ -119,7 +121,10 @@ def overlaps(
     hollows: Hollows | None,
     gates: "Gates | None",
 ) -> Iterator[Overlap]:
-    """Yield the overlaps of more than `least` [m]; that of two movable bodies twice."""
+    """Yield the overlaps of more than `least` [m]; that of two movable bodies twice.
+
+    Those that have no direction to part in are yielded however deep they are.
+    """
     names = {body: name for name, body in bodies.items()}
     yield from _arcs_in_arcs(names, hollows)
     for name, body in bodies.items():

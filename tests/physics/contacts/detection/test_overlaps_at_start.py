@@ -60,6 +60,11 @@ def test_an_overlap_is_told_with_both_names_and_its_depth(
         {"a": {"shape": HALF, "mass": 1, "position": [0, 2], "angle": pi + 0.2}, "b": floor(0)},
         {"a": fixed({"type": "disc", "radius": 1}), "b": fixed(HOOP), "c": disc((5, 0))},
         {"a": box((0, 0), size=(sqrt(2), sqrt(2))), "b": fixed(HOOP)},
+        {"a": fixed(HALF), "b": fixed(HALF), "c": disc((5, 0))},
+        {
+            "a": {"shape": HALF, "mass": 1},
+            "b": {"shape": HALF, "mass": 1, "angle": pi, "position": [0, 4 / pi]},
+        },
     ],
     ids=[
         "touching",
@@ -69,6 +74,8 @@ def test_an_overlap_is_told_with_both_names_and_its_depth(
         "above a long floor",
         "static",
         "inscribed",
+        "static arcs",
+        "arcs end to end",
     ],
 )
 def test_what_only_touches_does_not_overlap(bodies: dict[str, Spec]) -> None:

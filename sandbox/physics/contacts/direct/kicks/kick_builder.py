@@ -42,7 +42,7 @@ class KickBuilder:
         self._moves, self._order = moves, order(len(moves))
         self._still: Array = np.zeros((len(moves), 3))
         self._still.setflags(write=False)
-        self._until = 0.0
+        self._span = 0.0, 0.0  # of the drift after the kick [s]
         self._course = joints.course(0.0, 0.0)
         self._layouts = Layouts(joints, surfaces, moves)
         self._false, self._corners = FalseContacts(query), CornerPairs()
@@ -66,10 +66,10 @@ class KickBuilder:
 
     def follow(self, until: float) -> None:
         """Take up the lengths that joints keep before and after a drift that ends at a time [s]."""
-        if until == self._until and not np.count_nonzero(self._joints.added):
+        span = until - self._joints.drift, until
+        if span == self._span and not np.count_nonzero(self._joints.added):
             return
-        self._until = until
-        self._course = self._joints.course(until - self._joints.drift, until)
+        self._span, self._course = span, self._joints.course(*span)
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
@@ -83,7 +83,7 @@ class KickBuilder:
     def relay(self) -> None:
         """Begin anew with other joints, at the present positions."""
         self._layouts.forget()
-        self._until = nan
+        self._span = nan, nan
 
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
