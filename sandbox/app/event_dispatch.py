@@ -76,8 +76,8 @@ class Events:
         if isinstance(left, LeftRun):
             self._space.go_on_with(left)
             return
+        from sandbox.app.building.draft_recovery_choices import recover
         from sandbox.app.building.editor import Editor
-        from sandbox.app.building.unsaved_work_choices import recover
 
         self._commands.do(BUILD_PAGE.command)
         if self._space.session is not None:

@@ -13,9 +13,9 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
+from sandbox.editing.bodies_at_start import PlacedBody, placed
 from sandbox.editing.cleanup_after_edit import without_meaning
 from sandbox.editing.edits.edit_result import EditResult
-from sandbox.editing.placed_bodies import PlacedBody, placed
 from sandbox.model.body import Body
 from sandbox.model.comments import read_level
 from sandbox.model.effects import Effects

@@ -10,7 +10,7 @@ from itertools import islice, product
 from math import floor, log10
 from typing import Literal, NamedTuple
 
-from sandbox.editing.placed_bodies import Core, PlacedBody, placed, xy
+from sandbox.editing.bodies_at_start import Core, PlacedBody, placed, xy
 from sandbox.model.joint_ends_at_start import end_position
 from sandbox.model.joints import body_of, ends_of
 from sandbox.model.level import Level

@@ -21,7 +21,7 @@ from sandbox.editing.edits import (
     pendulum_angle,
     resizing,
     rope_wrapping,
-    slope_angle,
+    slope_angle_parameter,
 )
 from sandbox.editing.expanded_level import expanded
 from sandbox.editing.renaming import rename
@@ -162,7 +162,7 @@ def checked(text: str, hand: Hand) -> str:
 
 
 def tilted(text: str, hand: Hand) -> str:
-    return slope_angle.tilt(text, hand.level, hand.body())
+    return slope_angle_parameter.tilt(text, hand.level, hand.body())
 
 
 def swung(text: str, hand: Hand) -> str:

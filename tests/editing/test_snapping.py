@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sandbox.editing.bodies_at_start import placed
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_disc, add_polygon, add_surface
 from sandbox.editing.edits.moving_and_aligning import move, turn
-from sandbox.editing.placed_bodies import placed
 from sandbox.editing.snapping import flat_turn, grid_step, snap_body, snap_point
 from sandbox.model.loading import parse
 from sandbox.physics.geometry.outline_distance import gap

@@ -17,7 +17,7 @@ from sandbox.editing.edits import effects
 from sandbox.editing.edits.automatic_title import entitled
 from sandbox.editing.edits.checks import quantity_completions
 from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
-from sandbox.editing.edits.slope_angle import slope_of, tilt
+from sandbox.editing.edits.slope_angle_parameter import slope_of, tilt
 from sandbox.editing.renaming import rename
 from sandbox.editing.suggested_checks.recogniser_input import Suggestion
 from sandbox.editing.text_patches import put, put_all, value_at

@@ -12,7 +12,7 @@ from sandbox.editing.edits import events
 from sandbox.editing.edits.checks import flight, set_ghost
 from sandbox.editing.edits.pendulum_angle import peg_of, swing
 from sandbox.editing.edits.resizing import ROUND, rounded
-from sandbox.editing.edits.slope_angle import slope_of
+from sandbox.editing.edits.slope_angle_parameter import slope_of
 from sandbox.model.level import Level
 
 AS_A: dict[str, tuple[str, str]] = {

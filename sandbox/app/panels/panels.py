@@ -27,8 +27,8 @@ from sandbox.app.panels.side_panel import SidePanel
 from sandbox.app.panels.window_layout import Layout, divide
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.file_dialog import OpenDialog
-from sandbox.app.widgets.manager import Manager
 from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.ui_manager import Manager
 from sandbox.app.words import language
 from sandbox.model.errors import SandboxError
 

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from math import floor, isfinite, log10
 
+from sandbox.editing.bodies_at_start import placed
 from sandbox.editing.cleanup_after_edit import COEFFICIENTS, accepted, without_meaning
 from sandbox.editing.edits.bodies import DENSITY
 from sandbox.editing.edits.effects import declare
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.placed_bodies import placed
 from sandbox.editing.text_patches import PatchError, put, put_all, remove, shown, type_in, value_at
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.expressions import Expression, Fraction

@@ -4,9 +4,9 @@ from collections.abc import Collection
 from typing import Literal
 
 from sandbox.editing.attached_bodies import attached
+from sandbox.editing.bodies_at_start import bodies_named, bounding_box
 from sandbox.editing.formula_arithmetic import negative, shifted
 from sandbox.editing.json_layout import Json
-from sandbox.editing.placed_bodies import bodies_named, bounding_box
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.body import Body
 from sandbox.model.expressions import Expression

@@ -9,8 +9,8 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Literal
 
 from sandbox.editing.attached_bodies import attached, pinned, shifted_point
+from sandbox.editing.bodies_at_start import bodies_named, bounding_box
 from sandbox.editing.formula_arithmetic import rotated
-from sandbox.editing.placed_bodies import bodies_named, bounding_box
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.joints import Wire, body_of
 from sandbox.model.level import Level

@@ -9,13 +9,13 @@ import re
 from collections.abc import Mapping, Sequence
 
 from sandbox.editing.attached_bodies import attached, shifted_point
+from sandbox.editing.bodies_at_start import PlacedBody, placed, xy
 from sandbox.editing.cleanup_after_edit import without_meaning
 from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
 from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.edits.field_values import set_field
 from sandbox.editing.formula_arithmetic import scaled, towards
 from sandbox.editing.json_layout import Json
-from sandbox.editing.placed_bodies import PlacedBody, placed, xy
 from sandbox.editing.renaming import rename
 from sandbox.editing.text_patches import Changes, put, put_all, value_at
 from sandbox.model.comments import read_level

@@ -6,9 +6,9 @@ from math import cos, sin
 
 import numpy as np
 
+from sandbox.editing.bodies_at_start import Core, PlacedBody
 from sandbox.editing.formula_arithmetic import negative
 from sandbox.editing.json_layout import plain
-from sandbox.editing.placed_bodies import Core, PlacedBody
 from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,
     SAMPLES,

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from math import sqrt
 from typing import NamedTuple
 
+from sandbox.editing.bodies_at_start import PlacedBody
 from sandbox.editing.json_layout import plain
-from sandbox.editing.placed_bodies import PlacedBody
 from sandbox.editing.suggested_checks.incline import friction, side
 from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,

@@ -9,8 +9,8 @@ from typing import Any, Literal
 
 import numpy as np
 
+from sandbox.editing.bodies_at_start import Core, PlacedBody, distance
 from sandbox.editing.json_layout import plain
-from sandbox.editing.placed_bodies import Core, PlacedBody, distance
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Rod, Rope, Spring, bodies_of, body_of
 from sandbox.model.level import Level

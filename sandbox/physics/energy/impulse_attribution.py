@@ -15,9 +15,9 @@ from sandbox.physics.contacts.impacts.contact_work import (
     pressed,
     rubbing,
 )
-from sandbox.physics.energy.impulse_propagation import reached_by_jerk
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
+from sandbox.physics.energy.taut_rope_jerks import reached_by_jerk
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.forces.law import Law, VelocityRotation, exert
 from sandbox.physics.forces.spring import damps

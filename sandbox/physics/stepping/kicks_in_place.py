@@ -1,7 +1,7 @@
 """Kicks of bodies that are held in place: the first kick of a run, and kicks at events.
 
 If there are contacts, each is repeated until contacts and strings have converged
-(`repeated_kicks.py`).
+(`kick_convergence.py`).
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -16,7 +16,7 @@ from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick_context import Kick
 
 if TYPE_CHECKING:
-    from sandbox.physics.stepping.repeated_kicks import Settling
+    from sandbox.physics.stepping.kick_convergence import Settling
 
 
 class HeldKicks:
@@ -93,7 +93,7 @@ class HeldKicks:
 
 
 def _settling(scene: Scene, *, positions: bool) -> "Settling":
-    from sandbox.physics.stepping.repeated_kicks import Settling
+    from sandbox.physics.stepping.kick_convergence import Settling
 
     return Settling(scene, positions=positions)
 

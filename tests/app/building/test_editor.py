@@ -6,9 +6,9 @@ from pathlib import Path
 import pygame
 import pytest
 
+from sandbox.app.building.draft_recovery_choices import offers
 from sandbox.app.building.drafts import OFTEN
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.unsaved_work_choices import offers
 from sandbox.app.window import Window
 from sandbox.model import level_catalog, unsaved_files
 from tests.app.building.builder import Builder

@@ -5,11 +5,11 @@ from math import pi
 
 import pytest
 
+from sandbox.editing.bodies_at_start import placed
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.moving_and_aligning import Side, align, distribute, move, turn
 from sandbox.editing.expanded_level import expanded
-from sandbox.editing.placed_bodies import placed
 from sandbox.editing.text_patches import value_at
 from sandbox.model import level_catalog
 from sandbox.model.level import Level

@@ -2,11 +2,11 @@
 
 import pytest
 
+from sandbox.editing.bodies_at_start import placed
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import DENSITY, add_box, add_disc, add_polygon, add_surface
 from sandbox.editing.edits.moving_and_aligning import turn
 from sandbox.editing.edits.resizing import drag_handle, handles, scale
-from sandbox.editing.placed_bodies import placed
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError

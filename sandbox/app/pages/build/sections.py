@@ -8,10 +8,10 @@ from sandbox.app.building import editable_fields, inspected_fields
 from sandbox.app.building.arrangement_actions import arrangements
 from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.check_and_challenge_actions import stated
+from sandbox.app.building.draft_recovery_choices import offers
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.effect_costs import said
 from sandbox.app.building.selected_part_actions import part_actions
-from sandbox.app.building.unsaved_work_choices import offers
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session

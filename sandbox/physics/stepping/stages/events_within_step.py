@@ -23,8 +23,8 @@ import numpy as np
 
 from sandbox.model.events import SingleEvent, breaking_loads, events_by_name
 from sandbox.model.expressions import Array
-from sandbox.physics.energy.impulse_propagation import reached_by_jerk
 from sandbox.physics.energy.step_record import StepRecord
+from sandbox.physics.energy.taut_rope_jerks import reached_by_jerk
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.elastic_stops import Bounces

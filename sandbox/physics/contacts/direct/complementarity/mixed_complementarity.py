@@ -23,7 +23,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.active_set_update import ActiveSetResult
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active, Problem
-from sandbox.physics.contacts.direct.complementarity.damped_updates import damped
+from sandbox.physics.contacts.direct.complementarity.damped_active_set import damped
 from sandbox.physics.contacts.direct.complementarity.friction_bounds import FrictionBounds
 from sandbox.physics.contacts.direct.complementarity.linear_complementarity import FAINT, by_lemke
 from sandbox.physics.contacts.direct.complementarity.redundant_systems import (
