@@ -61,7 +61,7 @@ class Document(Origin):
 
     def refuse(self, faults: Iterable[Fault]) -> NoReturn:
         """Raise all faults, in the order of the text; of copies, only the first's."""
-        found = islice(dict.fromkeys(faults), MAX_MISTAKES + 1)
+        found = islice(_distinct(faults), MAX_MISTAKES + 1)
         once: dict[Any, Mistake] = {}
         for mistake in map(self._mistake, found):
             once.setdefault((mistake.line, mistake.column, mistake.rule), mistake)
@@ -129,3 +129,12 @@ def _says(fault: Fault, value: Value) -> bool:
     known = brief(value.text.strip('"'))
     about_key = bool(fault.path) and f"'{fault.path[-1]}'" in fault.rule
     return about_key or bool(re.search(rf"(?<![\w.]){re.escape(known)}(?![\w.])", fault.rule))
+
+
+def _distinct(faults: Iterable[Fault]) -> Iterator[Fault]:
+    """Yield each fault once; no more are made than are taken, as explaining one takes time."""
+    seen: set[Fault] = set()
+    for fault in faults:
+        if fault not in seen:
+            seen.add(fault)
+            yield fault
