@@ -87,10 +87,12 @@ class JointBreaking:
 
     def _struck(self) -> dict[str, float]:
         """Return the impulses of landings in the coming drift, as shares of what joints bear."""
-        divided = self._scene.direct.drifts.divided if self._scene.direct else None
+        divided = self._scene.direct.drifts.drift_after if self._scene.direct else None
         if not divided:
             return {}
-        at_once = [one.stage.pulls for one in divided.between if one.stage.lasts == 0]
+        at_once = [
+            one.stage.joint_impulses for one in divided.kicks_between if one.stage.duration == 0
+        ]
         if not at_once:
             return {}
         return _shares(self._scene, self._borne, self._dt, np.sum(at_once, axis=0))
@@ -122,7 +124,7 @@ def borne_jolt(
 
 def _overloaded(scene: Scene, borne: Mapping[str, float], dt: float, found: Jolt) -> str | None:
     """Return the joint that an impact overloads most; None if there is none."""
-    shares = _shares(scene, borne, dt, found.pulls.tension)
+    shares = _shares(scene, borne, dt, found.joint_impulses.tension)
     most = max(shares, key=lambda name: shares[name], default=None)
     return most if most is not None and shares[most] >= 1 else None
 

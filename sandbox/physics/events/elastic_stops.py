@@ -81,7 +81,7 @@ class Bounces:
         for side in np.flatnonzero((np.abs(beyond) <= TOUCHING) & (np.abs(rate) <= TOUCHING)):
             self._hold(int(side))
         if self._resting:
-            self._together.calm()
+            self._together.end_added_impact()
 
     def release(self) -> None:
         """Begin a step: release bodies that leave the stop on which they rest."""
@@ -102,7 +102,7 @@ class Bounces:
 
     def first(self, part: Part) -> tuple[int, float] | None:
         """Return the side reached first in a part of a drift, and when [s]; None if none is."""
-        states = part.state(0.0), part.state(part.lasts)
+        states = part.state(0.0), part.state(part.duration)
         now, then = (self._beyond(place) for place, _ in states)
         meets = then > 0
         if not meets.any():
@@ -112,15 +112,15 @@ class Bounces:
         apart: dict[int, float] = {}  # how long sides are certainly not reached [s]
         for side in np.flatnonzero(meets).tolist():
             begins, ends = (float(rate[side]) for rate in rates)
-            if side in self._resting or (part.lasts == 0 and begins < 0):
+            if side in self._resting or (part.duration == 0 and begins < 0):
                 continue
             if begins >= 0 and now[side] >= -TOUCHING:
                 waits[side] = 0.0
                 continue
-            turns = part.lasts * begins / (begins - ends) if begins < 0 < ends else 0.0
+            turns = part.duration * begins / (begins - ends) if begins < 0 < ends else 0.0
             apart[side] = turns
-        waits |= self._reached(part, apart, min(waits.values(), default=part.lasts))
-        latest = part.lasts - NEAR * self._dt
+        waits |= self._reached(part, apart, min(waits.values(), default=part.duration))
+        latest = part.duration - NEAR * self._dt
         soon = {side: wait for side, wait in waits.items() if wait <= max(latest, 0.0)}
         return min(soon.items(), key=lambda item: item[1], default=None)
 
@@ -131,9 +131,9 @@ class Bounces:
         """
         waits: dict[int, float] = {}
         for side, low in apart.items():
-            if soonest < part.lasts and not self._is_beyond(side, part, soonest):
+            if soonest < part.duration and not self._is_beyond(side, part, soonest):
                 continue
-            waits[side] = since(partial(self._is_beyond, side, part), low, part.lasts)
+            waits[side] = since(partial(self._is_beyond, side, part), low, part.duration)
             soonest = min(soonest, waits[side])
         return waits
 
@@ -143,10 +143,10 @@ class Bounces:
         other = side - len(sides.equations.rows)
         if other < 0:
             return bool(self._beyond(place)[side] > 0)
-        value, _ = sides.equations.others[other].look(sides.at(place))
+        value, _ = sides.equations.others[other].evaluate(sides.at(place))
         return bool(value - sides.length[side] > 0)
 
-    def rests(self, side: int, part: Part, wait: float) -> bool:
+    def would_rest(self, side: int, part: Part, wait: float) -> bool:
         """Return whether a body that reaches a stop in a part would return to it within a step.
 
         At a stop without a rebound it stays, until it is released.
@@ -158,7 +158,7 @@ class Bounces:
         pressed = self._rate(place, part.acceleration)[side]
         return bool(2 * self._restitution[side] * comes <= pressed * self._dt)
 
-    def bounce(self, side: int, t: float, *, rests: bool) -> Jolt:
+    def respond(self, side: int, t: float, *, rests: bool) -> Jolt:
         """Let a body that reaches a side at a time t [s] bounce off it, or stay if it rests.
 
         Raises `JointFailure` if stops are met too often in a step.
@@ -176,7 +176,7 @@ class Bounces:
 
         found = borne_jolt(self._scene, t, self._borne, self._dt, impact)
         if rests:
-            self._together.calm()
+            self._together.end_added_impact()
         else:
             self._let_go(side)
         return found
@@ -209,9 +209,9 @@ class Bounces:
 
     def _beyond(self, place: Array) -> Array:
         """Return how far positions, (n, 3), lie beyond the stops: (s,) [m, rad]."""
-        return self._sides.look(self._sides.at(place)).total - self._sides.length
+        return self._sides.evaluate(self._sides.at(place)).total - self._sides.length
 
     def _rate(self, place: Array, velocity: Array) -> Array:
         """Return the speeds of approach to the stops at those positions: (s,) [m/s, rad/s]."""
-        jacobian = self._sides.look(self._sides.at(place)).jacobian
+        jacobian = self._sides.evaluate(self._sides.at(place)).jacobian
         return np.asarray(jacobian @ coordinates_of(velocity).values)

@@ -40,15 +40,15 @@ class Impact(NamedTuple):
     """Their contact points [m]."""
     impulse: complex
     """The impulse on the second body; the first gets the opposite [N s]."""
-    kinematic: float
+    kinematic_work: float
     """The work of kinematic bodies [J]."""
-    driven: float
+    belt_work: float
     """The work of belts [J]."""
-    rubbed: float
+    friction_work: float
     """The work of friction [J]."""
-    pressed: float
+    normal_work: float
     """The work of the normal impulses [J]."""
-    given: Array
+    momentum: Array
     """(3,), the momentum, and the angular momentum about the origin, that it added [kg m/s, kg
     m²/s]."""
 
@@ -58,13 +58,13 @@ class Collided(NamedTuple):
 
     impacts: Sequence[Impact]
     """The impacts, in order."""
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
-    lifted: float
+    reading_shift: float
     """By how much the energy read in the middle of the drift increases only because accelerations
     are smaller than before the impacts [J]: on a parabola the energy is higher by m a² dt²/8 than
     in the middle of the chord."""
-    pulled: Array
+    extra_momentum: Array
     """(3,), the momentum and angular momentum from the forces along the path, beyond those from the
     kicks before and after [kg m/s, kg m²/s]."""
 
@@ -76,7 +76,7 @@ class Bounce(NamedTuple):
     """(n,), the bodies that impulses reached."""
     jump: Array
     """(n, 3), the jumps of their velocities [m/s, rad/s]."""
-    held: Array
+    acceleration_change: Array
     """(n, 3), the change of the accelerations of bodies that rest on each other from there on
     [m/s², rad/s²]."""
     impacts: tuple[Impact, ...]
@@ -99,7 +99,7 @@ class _Points(NamedTuple):
     """(k, n, 3), the jump of the velocities by a unit impulse on each row."""
     delassus: Array
     """(k, k), the rate of each row by a unit impulse on each."""
-    runs: Array
+    belt_slip: Array
     """(k,), the slip due to running belts [m/s]."""
 
 
@@ -119,7 +119,7 @@ class Collision:
         """Return the coefficient of restitution of a hit's pair."""
         return float(self._coefficients.restitution[hit.bodies])
 
-    def bounce(self, path: Path, hits: Sequence[Hit], *, dead: bool = False) -> Bounce:
+    def respond(self, path: Path, hits: Sequence[Hit], *, dead: bool = False) -> Bounce:
         """Return the outcome of simultaneous hits along a path.
 
         Bodies that would separate for less than half a step rest on each other from there on.
@@ -142,7 +142,7 @@ class Collision:
         works = impulse * (rates + delassus @ impulse / 2)
         coming = rates[:count] < 0
         if not coming.all() and works[:count].sum() > 0:
-            return self.bounce(path, _only(hits, coming), dead=dead)
+            return self.respond(path, _only(hits, coming), dead=dead)
         holds = np.zeros_like(rates)
         rests &= (np.bincount(of, impulse[:count]) > 0)[of]
         if rests.any():

@@ -33,11 +33,11 @@ class Jolt(NamedTuple):
     """The time of the impact [s]."""
     place: Array
     """(n, 3), the positions [m, rad]."""
-    begun: Array
+    velocity_before: Array
     """(n, 3), the velocities before it [m/s, rad/s]."""
-    after: Array
+    velocity_after: Array
     """(n, 3), the velocities after it [m/s, rad/s]."""
-    pulls: JointForces
+    joint_impulses: JointForces
     """The impulses of the exact joints, in place of tensions [N s]."""
     contacts: Contacts
     """The contacts, with their impulses."""
@@ -64,7 +64,7 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
         impulse = impulses(kick, came, leaves, out)
         came = came + impulse @ kick.response
     for row, restitution in bounces.items():
-        leaves[row] = restitution * min(float(kick.here.jacobian[row] @ came), 0.0)
+        leaves[row] = restitution * min(float(kick.rows_at_start.jacobian[row] @ came), 0.0)
     impulse = impulse + impulses(kick, came, leaves, np.zeros_like(out))
     state = scene.batch.state()
     pulls = JointForces(
@@ -77,14 +77,14 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
     after = state[:, 3:] + (impulse @ kick.response)[joints.order]
     others = joints.pulls_only.sum() - len(bounces) + len(kick.contacts.bodies)
     elastic = not others and bool(bounces) and min(bounces.values()) == 1
-    return Jolt(t, state[:, :3], state[:, 3:], after, pulls, kick.pushing(impulse), elastic)
+    return Jolt(t, state[:, :3], state[:, 3:], after, pulls, kick.contacts_with(impulse), elastic)
 
 
 def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:
     """Return the rows of all joints and contacts at the current positions."""
     course = joints.course(t, t + joints.drift)
     if scene.direct:
-        return scene.direct.standing(course)
+        return scene.direct.without_correction(course)
     count = len(scene.mass)
     none, never = np.zeros((count, count)), np.zeros((count, count), dtype=bool)
     running = np.zeros((count, 2))

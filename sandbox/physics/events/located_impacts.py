@@ -40,11 +40,11 @@ class Cut(NamedTuple):
     """The outcome of the impacts within a drift; n bodies.
 
     `jump`, (n, 3), are the jumps of the velocities at the beginning of the next kick [m/s, rad/s],
-    and `change`, (n, 3), the changes of the accelerations [m/s², rad/s²].
+    and `acceleration_change`, (n, 3), the changes of the accelerations [m/s², rad/s²].
     """
 
     jump: Array
-    change: Array
+    acceleration_change: Array
 
 
 class ImpactLocator:
@@ -54,8 +54,8 @@ class ImpactLocator:
     `held`, (n,), those held by joints of any kind. No exact joints hold bodies of the scene: where
     some do, contacts are solved directly. `dt` is the time step [s].
 
-    `impacts` are those of the last drift, and `begun`, (n, 3), the velocities at the beginning of
-    the last kick [m/s, rad/s].
+    `impacts` are those of the last drift, and `pre_kick_velocity`, (n, 3), the velocities at the
+    beginning of the last kick [m/s, rad/s].
     """
 
     def __init__(
@@ -91,20 +91,22 @@ class ImpactLocator:
         self._gates = scene.gates
         self._low, self._high = self._boxes(state)
         self._first: Array | None = None
-        self.begun = state[:, 3:]
+        self.pre_kick_velocity = state[:, 3:]
         self.impacts: list[Impact] = []
-        self._lifted, self._pulled = 0.0, np.zeros(3)
+        self._reading_shift, self._extra_momentum = 0.0, np.zeros(3)
 
     @property
     def last(self) -> Collided | None:
         """The entries for the books from the impacts in the last drift; None if there were none."""
         if not self.impacts:
             return None
-        return Collided(self.impacts, self.begun, self._lifted, self._pulled)
+        return Collided(
+            self.impacts, self.pre_kick_velocity, self._reading_shift, self._extra_momentum
+        )
 
     def begin(self, velocity: Array, acceleration: Array) -> None:
         """Start from a motion, given the velocities before its first kick and the accelerations."""
-        self.begun, self._first, self.impacts = velocity, acceleration, []
+        self.pre_kick_velocity, self._first, self.impacts = velocity, acceleration, []
 
     def cut(self, smooth: Array, struck: Array | None) -> Cut | None:
         """Let bodies collide in the coming drift; return the outcome, None without impacts.
@@ -119,14 +121,14 @@ class ImpactLocator:
         self._first, self.impacts = None, []
         bend = np.maximum(np.abs(smooth), np.abs(total))
         near = self._near(place, place + drifts * self._dt, bend * self._dt**2)
-        begun, self.begun = self.begun, drifts
+        begun, self.pre_kick_velocity = self.pre_kick_velocity, drifts
         if not len(near):
             return None
         acceleration = self._acceleration(smooth, total)
         if struck is None:
             self._without_impacts(acceleration, smooth, place, (begun, drifts))
         path = Path(place, drifts - acceleration * (self._dt / 2), acceleration)
-        self._pulled = np.zeros(3)
+        self._extra_momentum = np.zeros(3)
         self._follow(path, near, smooth * self._dt)
         return self._hand_over(path, state, acceleration) if self.impacts else None
 
@@ -134,21 +136,21 @@ class ImpactLocator:
         """Return the accelerations of the last kick without sequential impacts: (n, 3)."""
         if self._first is not None:
             return self._first
-        total = (drifts - self.begun) / self._dt
+        total = (drifts - self.pre_kick_velocity) / self._dt
         return total if struck is None else total - struck / self._dt
 
     def _hand_over(self, path: Path, state: Array, acceleration: Array) -> Cut:
         """Give pymunk the end of a path, given the state and accelerations at its start."""
-        drifts, hit = self.begun, path.struck
+        drifts, hit = self.pre_kick_velocity, path.struck
         place, velocity = path.at(self._dt)
         onwards = path.acceleration
-        self.begun = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
+        self.pre_kick_velocity = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
         self._compare(path, (acceleration, onwards), (state[:, :3], place))
-        state[hit, :3] = (place - self.begun * self._dt)[hit]
-        state[:, 3:] = self.begun
+        state[hit, :3] = (place - self.pre_kick_velocity * self._dt)[hit]
+        state[:, 3:] = self.pre_kick_velocity
         self._batch.set_state(state)
         change = np.where(hit[:, None], onwards - acceleration, 0.0)
-        return Cut(self.begun - drifts, change)
+        return Cut(self.pre_kick_velocity - drifts, change)
 
     def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
         """Set the entries of the energy and momentum books for the middle of a drift.
@@ -158,10 +160,10 @@ class ImpactLocator:
         half, struck = self._dt / 2, path.struck[:, None]
         before, after = (np.where(struck, acceleration, 0.0) for acceleration in pulls)
         less = before * before - after * after
-        self._lifted = float(np.sum(self._inertia * less)) * half * half / 2
-        self._pulled += self._given(path, self._dt, path.struck)
+        self._reading_shift = float(np.sum(self._inertia * less)) * half * half / 2
+        self._extra_momentum += self._given(path, self._dt, path.struck)
         for acceleration, place in zip((before, after), places, strict=True):
-            self._pulled -= momentum(self._inertia * acceleration * half, place)
+            self._extra_momentum -= momentum(self._inertia * acceleration * half, place)
 
     def _given(self, path: Path, t: float, bodies: Booleans) -> Array:
         """Return the momentum by accelerations of some bodies since their last impacts: (3,)."""
@@ -268,10 +270,10 @@ class ImpactLocator:
         """
         time, around = group[0].time, self._around(path, group) if tally.count(group) else []
         dead = bool(around) and tally.gentle(around)
-        bounce = self._collision.bounce(path, around if dead else group, dead=dead)
-        self._pulled += self._given(path, time, bounce.struck)
+        bounce = self._collision.respond(path, around if dead else group, dead=dead)
+        self._extra_momentum += self._given(path, time, bounce.struck)
         path.turn(time, bounce.jump, bounce.struck)
-        path.acceleration += bounce.held
+        path.acceleration += bounce.acceleration_change
         self.impacts += bounce.impacts
         if dead:
             left = min(self._around(path, group), key=lambda hit: hit.parting)

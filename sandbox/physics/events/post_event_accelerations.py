@@ -90,14 +90,16 @@ class ContinuationSolver:
             contacts = self._batch.contacts()
             there, adds = Slips.of(contacts, place, self.running), after - velocity
             goes = _matched(slips, sense, there)
-            if goes is None or self.meets(contacts, place, velocity, length):
+            if goes is None or self.is_approaching(contacts, place, velocity, length):
                 return None
             if (self.sense(there, contacts, after, adds) == goes)[goes != 0].all():
                 return ContactAccelerations(adds / length, contacts.scaled(1 / length), there, goes)
             length *= SHORTER
         return None
 
-    def meets(self, contacts: Contacts, place: Array, velocity: Array, length: float) -> bool:
+    def is_approaching(
+        self, contacts: Contacts, place: Array, velocity: Array, length: float
+    ) -> bool:
         """Return whether touching bodies approach, so that a kick of a length [s] would stop them.
 
         Positions and velocities are (n, 3) [m, rad, m/s, rad/s].

@@ -49,7 +49,7 @@ class SlipDetector:
         self._batch, self._named, self._coefficients = batch, named, coefficients
         self._onwards, self._dt = onwards, dt
 
-    def see(self, came: Array, velocity: Array, acceleration: Array) -> SlipState:
+    def detect(self, came: Array, velocity: Array, acceleration: Array) -> SlipState:
         """Return which contacts slip at the step, and which no longer do at the next.
 
         The directions are those of the velocities with which bodies came to the step: pymunk lets a
@@ -65,7 +65,7 @@ class SlipDetector:
         if ends.any():
             half_on = self._onwards.sense(slips, contacts, velocity + adds / 2, adds)
             weakened |= ends & (half_on != sense)
-        steps = self.wait(slips, sense, velocity, adds)
+        steps = self.time_to_stop(slips, sense, velocity, adds)
         return SlipState(place, slips, sense, ends, weakened, float(steps.min()))
 
     def ends(
@@ -75,7 +75,9 @@ class SlipDetector:
         later = self._onwards.sense(slips, contacts, velocity, adds)
         return (sense != 0) & self._named[slips.bodies].any(axis=1) & (later != sense)
 
-    def wait(self, slips: Slips, sense: Array, velocity: Array, acceleration: Array) -> Array:
+    def time_to_stop(
+        self, slips: Slips, sense: Array, velocity: Array, acceleration: Array
+    ) -> Array:
         """Return the time until each contact of named bodies stops slipping: (k,) [s].
 
         It is infinite if the slip does not slow down.

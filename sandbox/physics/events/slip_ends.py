@@ -46,7 +46,7 @@ FAR = 1_000_000
 class Cut(NamedTuple):
     """The outcome of a drift in which slipping ended; n bodies."""
 
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the next kick [m/s, rad/s]."""
     acceleration: Array
     """(n, 3), the accelerations since slipping last ended [m/s², rad/s²]."""
@@ -61,9 +61,9 @@ class SlipEndLocator:
     to tell how the bodies continue. `smooth` returns the accelerations by gravity and force laws in
     the last kick: (n, 3) [m/s², rad/s²]. `dt` is the time step [s].
 
-    `begun`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s]. `kicked` are
-    the contacts of that kick if it was taken again, else None: then they are pymunk's. `last` are
-    the entries for the books from the last drift; None if no slipping ended in it.
+    `pre_kick_velocity`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s].
+    `kicked` are the contacts of that kick if it was taken again, else None: then they are pymunk's.
+    `last` are the entries for the books from the last drift; None if no slipping ended in it.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class SlipEndLocator:
     ) -> None:
         self._scene, self._batch, self._linked, self._tied = scene, scene.batch, linked, tied
         self._lookout, self._onwards, self._smooth, self._dt = lookout, onwards, smooth, dt
-        self._next = self.begun = self._change = self._batch.velocity()
+        self._next = self.pre_kick_velocity = self._change = self._batch.velocity()
         self._ground = self._next[scene.mass == 0]
         self._ground[:, :2] += onwards.running[scene.mass == 0]
         # steps without a check, while the squared difference of kicks stays within `_alike`
@@ -96,14 +96,17 @@ class SlipEndLocator:
         """
         half, self._quiet, self.last = self._dt / 2, 0, None
         self._onwards.adds = np.abs(self._smooth()) * self._dt
-        self._acceleration = acceleration = self._look(velocity, velocity, acceleration, half)
-        self.begun, self._next = velocity - acceleration * half, velocity + acceleration * half
+        self._acceleration = acceleration = self._detect(velocity, velocity, acceleration, half)
+        self.pre_kick_velocity, self._next = (
+            velocity - acceleration * half,
+            velocity + acceleration * half,
+        )
         return acceleration
 
-    def look(self) -> None:
+    def detect(self) -> None:
         """Check whether slipping ends in the coming drift; take the last kick again if so."""
         begun, after = self._next, self._batch.velocity()
-        self.begun, self._next, change = begun, after, after - begun
+        self.pre_kick_velocity, self._next, change = begun, after, after - begun
         self.kicked = self._due = None
         if self._quiet:
             self._quiet -= 1
@@ -119,7 +122,7 @@ class SlipEndLocator:
         acceleration = change / self._dt
         until = acceleration if self._acceleration is None else self._acceleration
         came = begun + until * (self._dt / 2)
-        self._acceleration = self._look(begun, came, acceleration, self._dt)
+        self._acceleration = self._detect(begun, came, acceleration, self._dt)
         if self._acceleration is not acceleration:
             self._next = begun + self._acceleration * self._dt
             self._batch.set_velocity(self._next)
@@ -130,10 +133,12 @@ class SlipEndLocator:
         if not contacts.first.any():
             return False
         place, mass = self._batch.state()[:, :3], self._scene.mass
-        hit, _ = impacts(contacts, solid, place, self.begun, self._next, smooth, mass, self._dt)
+        hit, _ = impacts(
+            contacts, solid, place, self.pre_kick_velocity, self._next, smooth, mass, self._dt
+        )
         return bool(len(hit))
 
-    def _look(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
+    def _detect(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
         """Check whether slipping ends, and return the accelerations until it does.
 
         `begun` and `came`, (n, 3), are the velocities at the beginning of the kick, and those at
@@ -143,7 +148,7 @@ class SlipEndLocator:
         if not len(self._batch.contacts().bodies):
             return acceleration
         velocity = begun + acceleration * (length - self._dt / 2)
-        seen = self._lookout.see(came, velocity, acceleration)
+        seen = self._lookout.detect(came, velocity, acceleration)
         if not seen.ends.any():
             if (self._ground == self._ground[:1]).all():  # all the ground moves alike
                 self._quiet = int(min(max(seen.steps - 2, 0) / 2, FAR))
@@ -151,20 +156,22 @@ class SlipEndLocator:
             return acceleration
         contacts = self._batch.contacts()
         tied = (self._island(seen.slips, seen.ends) & self._tied).any()
-        if tied or self._onwards.meets(contacts, seen.place, velocity, self._dt):
+        if tied or self._onwards.is_approaching(contacts, seen.place, velocity, self._dt):
             return acceleration
         if seen.weakened.any():
-            return self._again(begun, came, acceleration, length)
+            return self._retake_slipping(begun, came, acceleration, length)
         forces = contacts.scaled(1 / length)
         part = Phase(self._dt, seen.place, velocity, acceleration, forces)
         self._due = part, seen.slips, seen.sense
         return acceleration
 
-    def _again(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
-        """Take the last kick again with everything still slipping; see `_look`."""
+    def _retake_slipping(
+        self, begun: Array, came: Array, acceleration: Array, length: float
+    ) -> Array:
+        """Take the last kick again with everything still slipping; see `_detect`."""
         after, memory, since = self._batch.velocity(), self._onwards.memory(), length - self._dt / 2
         settled = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
-        seen = self._lookout.see(came, begun + settled * since, settled)
+        seen = self._lookout.detect(came, begun + settled * since, settled)
         slips, sense = seen.slips, seen.sense
         found = self._onwards.solve(seen.place, begun, 0.0, self._dt / 2, slips, sense)
         self._onwards.recall(memory)
@@ -200,8 +207,8 @@ class SlipEndLocator:
         place, begun = state[:, :3], state[:, 3:]
         if len(phases) > 1:
             self.last = booked(phases, self._scene.inertia, smooth, self._onwards.running, self._dt)
-            ends, _ = phases[-1].at(phases[-1].lasts)
-            begun = np.where(moved[:, None], self.last.begun, begun)
+            ends, _ = phases[-1].at(phases[-1].duration)
+            begun = np.where(moved[:, None], self.last.pre_kick_velocity, begun)
             place = np.where(moved[:, None], ends - begun * self._dt, place)
         self._onwards.settled(1.0, begun, self._dt, self._dt)  # for pymunk's warm start
         self._onwards.recall({p: known for p, known in memory.items() if not moved[[*p]].any()})
@@ -217,22 +224,22 @@ class SlipEndLocator:
         kinematic = self._scene.mass == 0
         moved = np.zeros_like(kinematic)
         while len(phases) < MOST:
-            adds, (_, velocity) = part.acceleration * self._dt, part.at(part.lasts)
+            adds, (_, velocity) = part.acceleration * self._dt, part.at(part.duration)
             if not self._lookout.ends(slips, sense, part.forces, velocity, adds).any():
                 break
-            wait = self._lookout.wait(slips, sense, part.velocity, part.acceleration)
-            first = min(float(wait.min()), part.lasts)
+            wait = self._lookout.time_to_stop(slips, sense, part.velocity, part.acceleration)
+            first = min(float(wait.min()), part.duration)
             place, velocity = part.at(first)
             still = self._onwards.sense(slips, part.forces, velocity, adds)
             still[wait <= first] = 0.0
             island = self._island(slips, (sense != 0) & (still == 0))
             here = np.where((moved | island | kinematic)[:, None], place, state[:, :3])
-            left = part.lasts - first
+            left = part.duration - first
             ahead, longest = 1 - left / self._dt, self._dt / 2
             found = self._onwards.solve(here, velocity, ahead, longest, slips, still)
             if found is None:
                 break
-            phases.append(part._replace(lasts=first))
+            phases.append(part._replace(duration=first))
             acceleration = np.where(island[:, None], found.acceleration, part.acceleration)
             part = Phase(left, place, velocity, acceleration, found.forces)
             slips, sense, moved = found.slips, found.sense, moved | island

@@ -7,7 +7,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.impacts.contact_kinematics import pair_jacobian
-from sandbox.physics.contacts.impacts.contact_work import rubbing
+from sandbox.physics.contacts.impacts.contact_work import contact_friction_work
 from sandbox.physics.engine.space_arrays import Contacts, Integers
 from sandbox.physics.state.motion import momentum
 
@@ -23,11 +23,11 @@ class Slips(NamedTuple):
 
     bodies: Integers
     """(k, 2), the two bodies of each contact."""
-    way: Array
+    jacobian: Array
     """(k, 2, 3), the Jacobian of the slip, for the velocities of the two bodies."""
-    runs: Array
+    belt_slip: Array
     """(k,), the slip due to running surfaces, such as belts [m/s]."""
-    far: Array
+    distance: Array
     """(k,), the approximate distance from the origin [m]."""
 
     @classmethod
@@ -45,11 +45,11 @@ class Slips(NamedTuple):
 
     def change(self, acceleration: Array) -> Array:
         """Return the rates of change of the slips under accelerations (n, 3): (k,) [m/s²]."""
-        return np.asarray(np.einsum("kbc,kbc->k", self.way, acceleration[self.bodies]))
+        return np.asarray(np.einsum("kbc,kbc->k", self.jacobian, acceleration[self.bodies]))
 
     def speed(self, velocity: Array) -> Array:
         """Return the slip velocity of each second body relative to the first: (k,) [m/s]."""
-        return self.change(velocity) + self.runs
+        return self.change(velocity) + self.belt_slip
 
     def sense(self, velocity: Array, adds: Array, blur: float) -> Array:
         """Return the direction of each slip, 1 or −1, or 0 if there is none: (k,).
@@ -61,17 +61,17 @@ class Slips(NamedTuple):
         speed = self.speed(velocity)
         sizes = np.abs(velocity) + np.abs(adds) * (FAINT / ROUNDING)
         sizes[:, :2] = sizes[:, :2].sum(axis=1, keepdims=True)  # in any direction
-        known = ROUNDING * (self._sizes(sizes) + np.abs(self.runs))
-        return np.where(np.abs(speed) > known + blur * self.far, np.sign(speed), 0.0)
+        known = ROUNDING * (self._sizes(sizes) + np.abs(self.belt_slip))
+        return np.where(np.abs(speed) > known + blur * self.distance, np.sign(speed), 0.0)
 
     def _sizes(self, sizes: Array) -> Array:
-        return np.asarray(np.einsum("kbc,kbc->k", np.abs(self.way), sizes[self.bodies]))
+        return np.asarray(np.einsum("kbc,kbc->k", np.abs(self.jacobian), sizes[self.bodies]))
 
 
 class Phase(NamedTuple):
     """A part of a drift in which the accelerations of n bodies are constant."""
 
-    lasts: float
+    duration: float
     """Its duration [s]."""
     place: Array
     """(n, 3), the positions at its start [m, rad]."""
@@ -95,19 +95,19 @@ class SlipEntries(NamedTuple):
     from there on.
     """
 
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
-    rubbed: float
+    friction_work: float
     """The work of friction beyond that in the halves of the two kicks [J]."""
-    works: dict[str, float]
+    belt_works: dict[str, float]
     """The same of belts and kinematic bodies, by account [J]."""
-    way: Array
+    extra_displacement: Array
     """(n, 3), the displacements beyond those in the halves of the two kicks [m, rad]."""
-    lifted: float
+    reading_shift: float
     """The change of the energy read in the middle of the drift that is only due to the change of
     acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than in
     the middle of the chord."""
-    given: Array
+    momentum: Array
     """(3,), the momentum and angular momentum beyond the two halves [kg m/s, kg m²/s]."""
 
 
@@ -122,16 +122,16 @@ def booked(
     running surfaces [m/s].
     """
     first, last, half = phases[0], phases[-1], dt / 2
-    place, velocity = last.at(last.lasts)
+    place, velocity = last.at(last.duration)
     begun = velocity - last.acceleration * half
     halves = (
-        first._replace(lasts=half),
-        last._replace(lasts=half, place=place - velocity * half, velocity=begun),
+        first._replace(duration=half),
+        last._replace(duration=half, place=place - velocity * half, velocity=begun),
     )
     (rubbed, works), given = rubbed_beyond(phases, halves, inertia, running), np.zeros(3)
     for part in phases:
-        middle = part.place + part.velocity * (part.lasts / 2)
-        given += momentum(inertia * part.acceleration * part.lasts, middle)
+        middle = part.place + part.velocity * (part.duration / 2)
+        given += momentum(inertia * part.acceleration * part.duration, middle)
     given -= momentum(inertia * first.acceleration * half, first.place)
     given -= momentum(inertia * last.acceleration * half, place)
     ways = sum(part.velocity * half + part.acceleration * (half * half / 2) for part in halves)
@@ -150,9 +150,9 @@ def rubbed_beyond(
     rubbed, works = 0.0, {"bodies": 0.0, "belt": 0.0}
     for sign, parts in ((1, phases), (-1, halves)):
         for part in parts:
-            mean = part.velocity + part.acceleration * (part.lasts / 2)
-            forces = part.forces.scaled(part.lasts)
-            work, drives = rubbing(forces, part.place[:, :2], mean, inertia, running)
+            mean = part.velocity + part.acceleration * (part.duration / 2)
+            forces = part.forces.scaled(part.duration)
+            work, drives = contact_friction_work(forces, part.place[:, :2], mean, inertia, running)
             rubbed += sign * work
             works = {name: works[name] + sign * drives[name] for name in works}
     return rubbed, works

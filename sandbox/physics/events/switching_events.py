@@ -38,7 +38,7 @@ class Part(NamedTuple):
 
     t: float
     """Its start time [s]."""
-    lasts: float
+    duration: float
     """Its duration [s]."""
     place: Array
     """(n, 3), the positions at its start [m, rad]."""
@@ -46,7 +46,7 @@ class Part(NamedTuple):
     """(n, 3), the velocities at its start [m/s, rad/s]."""
     acceleration: Array
     """(n, 3), the accelerations in it [m/s², rad/s²]."""
-    cause: float = 0.0
+    force_delay: float = 0.0
     """The time after its start at which the forces that cause these act [s]."""
     forces: Contacts = NO_CONTACTS
     """The contacts, with forces in place of impulses."""
@@ -54,7 +54,7 @@ class Part(NamedTuple):
     @property
     def phase(self) -> Phase:
         """The same, for the work of friction."""
-        return Phase(self.lasts, self.place, self.velocity, self.acceleration, self.forces)
+        return Phase(self.duration, self.place, self.velocity, self.acceleration, self.forces)
 
     def at(self, time: float) -> Instant:
         """Return the motion at a time after its start [s]."""
@@ -73,27 +73,27 @@ class EventEntries(NamedTuple):
     from there on.
     """
 
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
-    switched: float
+    switching_energy: float
     """The jump of the stored energy when forces are switched [J]."""
-    worked: Sequence[float]
+    works: Sequence[float]
     """The work of each law beyond that of the halves of the two kicks; of a damped spring that of
     its damper alone [J]."""
-    pushed: Sequence[Array]
+    momenta: Sequence[Array]
     """The momentum and angular momentum from each law beyond those from the two halves: (3,) each
     [kg m/s, kg m²/s]."""
-    given: Array
+    momentum: Array
     """The same from all forces together: (3,)."""
-    lifted: float
+    reading_shift: float
     """The change of the energy read in the middle of the drift that is only due to the change of
     acceleration [J]: on the parabola, the energy that a force F stores is higher by F a dt²/8 than
     in the middle of the chord."""
     jolts: "Sequence[Jolt]" = ()
     """The impacts of joints in the drift."""
-    rubbed: float = 0.0
+    friction_work: float = 0.0
     """The work of friction beyond that in the halves of the two kicks [J]."""
-    rubs: Mapping[str, float] = NOTHING
+    belt_works: Mapping[str, float] = NOTHING
     """The same of belts and kinematic bodies, by account [J]."""
 
 
@@ -130,7 +130,7 @@ def since(holds: Callable[[float], bool], low: float, high: float) -> float:
     return high
 
 
-def acted(
+def entries_of(
     parts: Sequence[Part],
     laws: Sequence[Law],
     inertia: Array,
@@ -145,13 +145,16 @@ def acted(
     the velocities of running surfaces [m/s], and `switched` is the jump of the stored energy [J].
     """
     first, last, half = parts[0], parts[-1], dt / 2
-    end, (place, velocity) = last.at(last.lasts), last.state(last.lasts)
+    end, (place, velocity) = last.at(last.duration), last.state(last.duration)
     begun = velocity - last.acceleration * half
-    before = last._replace(lasts=half, place=place - velocity * half, velocity=begun)
+    before = last._replace(duration=half, place=place - velocity * half, velocity=begun)
     every = (
-        *(_Share(1.0, part, part.at(part.cause), part.at(part.lasts / 2)) for part in parts),
-        _Share(-1.0, first._replace(lasts=half), first.at(0.0), first.at(0.0)),
-        _Share(-1.0, before, last.at(last.cause), end),
+        *(
+            _Share(1.0, part, part.at(part.force_delay), part.at(part.duration / 2))
+            for part in parts
+        ),
+        _Share(-1.0, first._replace(duration=half), first.at(0.0), first.at(0.0)),
+        _Share(-1.0, before, last.at(last.force_delay), end),
     )
 
     def work(law: Law) -> float:
@@ -163,16 +166,18 @@ def acted(
     storing = [law for law in laws if law.effect.book == "potential"]
 
     def raised(part: Part) -> float:
-        forces = (_wrench(law, part.at(part.cause), inertia) for law in storing)
+        forces = (_wrench(law, part.at(part.force_delay), inertia) for law in storing)
         return float(np.sum(sum(forces, np.zeros_like(inertia)) * part.acceleration))
 
     lifted = (raised(first) - raised(last)) * half * half / 2
-    halves = first._replace(lasts=half).phase, before.phase
+    halves = first._replace(duration=half).phase, before.phase
     rubbed, rubs = rubbed_beyond([part.phase for part in parts], halves, inertia, running)
-    return EventEntries(begun, switched, worked, pushed, given, lifted, rubbed=rubbed, rubs=rubs)
+    return EventEntries(
+        begun, switched, worked, pushed, given, lifted, friction_work=rubbed, belt_works=rubs
+    )
 
 
-def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> EventEntries:
+def entries_at_step(begun: Array, laws: Sequence[Law], switched: float) -> EventEntries:
     """Return the entries for the books if all events happened at the step before a drift.
 
     `begun`, (n, 3), are the velocities after the events [m/s, rad/s], and `switched` is the jump of
@@ -198,7 +203,7 @@ class _Share(NamedTuple):
     def work(self, law: Law, inertia: Array) -> float:
         """Return the work of a law [J]."""
         part = self.part
-        way = part.velocity * part.lasts + part.acceleration * (part.lasts**2 / 2)
+        way = part.velocity * part.duration + part.acceleration * (part.duration**2 / 2)
         return self.sign * float(np.sum(_wrench(law, self.cause, inertia) * way))
 
     def push(self, law: Law, inertia: Array) -> Array:
@@ -210,7 +215,7 @@ class _Share(NamedTuple):
         return self._about(inertia * self.part.acceleration)
 
     def _about(self, wrench: Array) -> Array:
-        return self.sign * momentum(wrench * self.part.lasts, self.middle.position)
+        return self.sign * momentum(wrench * self.part.duration, self.middle.position)
 
 
 def _wrench(law: Law, motion: Instant, inertia: Array) -> Array:

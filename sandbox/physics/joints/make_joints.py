@@ -186,7 +186,7 @@ class _Assembly:
         together.add(rows, others)
         given = {name for name in names if _is_given(self._solved(name))}
         together.keep(set(names) - given, t)
-        name, beyond = together.beyond(given, t)
+        name, beyond = together.largest_excess(given, t)
         if beyond > NEAR:
             rule = Message(
                 "'{name}' is tied when its ends are already {beyond:.3g} beyond its bounds",

@@ -110,7 +110,7 @@ def _constrained_decay(decay_of_free: Array, inverse_mass: Array, joints: Joints
     """
     if not joints.together:
         return float(decay_of_free.max())
-    stiff = joints.together.stiff()
+    stiff = joints.together.two_sided_jacobian()
     joined = np.flatnonzero(stiff.any(axis=(0, 2)))
     others = float(np.delete(decay_of_free, joined).max(initial=0.0))
     constrained = (stiff[:, joined] * np.sqrt(inverse_mass[joined])).reshape(len(stiff), -1)

@@ -163,7 +163,7 @@ class Forces:
             if kick.start is not None:
                 previous = kick.start
             elif landed := self._landed:
-                reached, begun = landed.reached[:, None], landed.begun
+                reached, begun = landed.reached[:, None], landed.pre_kick_velocity
                 previous = np.where(
                     reached, begun - self.law_acceleration * kick.clock.dt, previous
                 )
@@ -175,7 +175,7 @@ class Forces:
     @property
     def _landed(self) -> "DividedDrift | None":
         """The drift before this kick, if bodies landed in it."""
-        return self._direct.drifts.divided if self._extrapolates and self._direct else None
+        return self._direct.drifts.drift_after if self._extrapolates and self._direct else None
 
     def _set_masses(self, flows: MassFlows, t: Array) -> None:
         """Set the variable masses to those at a time [s], for the kick around it."""
@@ -196,13 +196,13 @@ def _path(
     The kick before it took forces as in `last` to its middle, and the kick after it those of
     `reading` from there on. The mean along the path, by the trapezoidal rule, is to replace that.
     """
-    start, t = float(last.t), landed.first * dt / 2
+    start, t = float(last.t), landed.first_fraction * dt / 2
     nodes = [(0.0, Reading(last.t, last.state))]
-    if landed.first < 1:
-        halfway = np.concatenate((last.state[:, :3], landed.before[-1].velocity), axis=1)
+    if landed.first_fraction < 1:
+        halfway = np.concatenate((last.state[:, :3], landed.stages_before[-1].velocity), axis=1)
         nodes.append((t, Reading(np.asarray(start + t), halfway)))
-    for place, _, stage in landed.between[:-1]:
-        t += stage.lasts
+    for place, _, stage in landed.kicks_between[:-1]:
+        t += stage.duration
         state = np.concatenate((place, stage.velocity), axis=1)
         nodes.append((t, Reading(np.asarray(start + t), state)))
     nodes.append((dt, Reading(reading.t, reading.state)))

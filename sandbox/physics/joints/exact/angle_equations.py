@@ -35,7 +35,7 @@ class AngleEquation:
     ratio: float = 1.0
     carrier: int = PLANE
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the angle, and its gradient."""
         shares = (
             Share(self.b, 0j, float(self.sense)),
@@ -61,7 +61,7 @@ class RackEquation:
     changing: None = None
     pulls_only: bool = False
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the displacement of the bar beyond the wheel's rotation, and its gradient."""
         body = number(self.end)
         arm = self.end.point * exp(1j * place.angle[body])
@@ -89,7 +89,7 @@ class SlotEquation:
     changing: None = None
     pulls_only: bool = False
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return how far the point is beside the slot, and its gradient."""
         body, frame = number(self.end), number(self.slot)
         normal = self.normal * exp(1j * place.angle[frame])
@@ -122,7 +122,7 @@ class WindingEquation:
     pulls_only: bool = True
     _contact: float = field(default=0.0, init=False)
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the length, free and wound, and its gradient.
 
         Raises `JointFailure` if the end of the string is inside the wheel.
@@ -163,7 +163,7 @@ def where(a: Anchor, b: Anchor, start: Coordinates) -> complex:
 
 def starting(equation: Gearing, start: Coordinates) -> Gearing:
     """Return the equation that keeps the value at the start."""
-    return replace(equation, length=equation.look(start)[0])
+    return replace(equation, length=equation.evaluate(start)[0])
 
 
 def angle_stops(name: str, a: Anchor, b: Anchor, least: float, most: float) -> list[AngleEquation]:
@@ -203,7 +203,7 @@ def winding(
     """Return the equation that keeps the length of a wound string at the start."""
     assert wheel.body is not None
     wound = WindingEquation(name, end, wheel.body, radius, sense)
-    wound.length = wound.look(start)[0]
+    wound.length = wound.evaluate(start)[0]
     return wound
 
 

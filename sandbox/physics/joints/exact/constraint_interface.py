@@ -147,6 +147,6 @@ class Condition(Protocol):
 class Equation(Condition, Protocol):
     """A condition that computes its own value and gradient."""
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the value at given positions, and its gradient."""
         ...

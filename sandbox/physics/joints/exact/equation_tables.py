@@ -100,14 +100,14 @@ class Equations:
         )
         raise JointFailure(name, message)
 
-    def look(self, place: Coordinates) -> Rows:
+    def evaluate(self, place: Coordinates) -> Rows:
         """Return the values at given positions, and their Jacobian."""
-        return self._with_others(self.reaches.look(place), place, self._numbered)
+        return self._with_others(self.reaches.evaluate(place), place, self._numbered)
 
-    def glance(self, place: Coordinates) -> Rows:
-        """Return the same as `look`, but without an effect on the next look."""
+    def evaluate_without_memory(self, place: Coordinates) -> Rows:
+        """Return the same as `evaluate`, but without an effect on the next evaluation."""
         others = [(row, copy(equation)) for row, equation in self._numbered]
-        return self._with_others(self.reaches.look(place), place, others)
+        return self._with_others(self.reaches.evaluate(place), place, others)
 
     def _with_others(
         self, rows: Rows, place: Coordinates, others: Sequence[tuple[int, Equation]]
@@ -116,7 +116,7 @@ class Equations:
             return rows
         in_plane, in_angle = planes(rows.jacobian), angles(rows.jacobian)
         for row, equation in others:
-            rows.total[row], shares = equation.look(place)
+            rows.total[row], shares = equation.evaluate(place)
             for body, plane, angle in shares:
                 in_plane[row, body] += plane
                 in_angle[row, body] += angle
@@ -139,5 +139,5 @@ def _bodies_of(equation: Condition, place: Coordinates) -> NDArray[np.intp]:
     if isinstance(equation, Row):
         ends = [end.body for reach in equation.reaches for end in reach]
         return np.array([-1 if body is None else body for body in ends], dtype=np.intp)
-    _, shares = copy(cast("Equation", equation)).look(place)
+    _, shares = copy(cast("Equation", equation)).evaluate(place)
     return np.array([share.body for share in shares], dtype=np.intp)

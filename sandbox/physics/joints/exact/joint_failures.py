@@ -79,7 +79,7 @@ def lost(
     if _runs_up(joints, row, place, motion, drift):
         name = joints.names[row]
         return JointFailure(name, Message("an end of '{name}' has run into a peg", name=name))
-    jacobian = joints.look(place).jacobian
+    jacobian = joints.evaluate(place).jacobian
     delassus = np.asarray(jacobian * joints.inverse @ jacobian.T)[np.ix_(taut, taut)]
     finer = _finer(joints, place, tension, drift)
     if delassus.any() and np.isfinite(delassus).all():
@@ -104,7 +104,7 @@ def _runs_up(
     if not isinstance(string, Row) or len(string.reaches) < 2:
         return False
     parts = [replace(string, reaches=[reach]) for reach in string.reaches]
-    here = Equations(parts, (), joints.inverse[2 * len(joints.inverse) // 3 :]).look(place)
+    here = Equations(parts, (), joints.inverse[2 * len(joints.inverse) // 3 :]).evaluate(place)
     return bool((here.total + drift * (here.jacobian @ motion.values) <= 0).any())
 
 
@@ -112,7 +112,7 @@ def _finer(joints: JointSystem, place: Coordinates, tension: Array, drift: float
     """Return the factor, at least 2, by which joints under tension need more steps."""
 
     def force(by: Array) -> Array:
-        there = joints.equations.glance(Coordinates(place.values + by))
+        there = joints.equations.evaluate_without_memory(Coordinates(place.values + by))
         return np.asarray(tension @ there.jacobian)
 
     return steps_needed(force, joints.inverse, drift)

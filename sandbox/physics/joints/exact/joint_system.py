@@ -83,7 +83,7 @@ class JointSystem:
         if count < FEWEST or self.equations.others or self._unilateral:
             return None
         band = Banded(self.reaches, count, self.inverse)
-        return band if band.pays else None
+        return band if band.is_cheaper else None
 
     @property
     def reaches(self) -> Reaches:
@@ -123,9 +123,9 @@ class JointSystem:
             planes(values[0])[:-1] -= self.origin
         return Coordinates(values[0]), Coordinates(values[1])
 
-    def look(self, place: Coordinates) -> Rows:
+    def evaluate(self, place: Coordinates) -> Rows:
         """Return the values of the rows at given positions, and their Jacobian."""
-        return self.equations.look(place)
+        return self.equations.evaluate(place)
 
     def lengths(self, t: float) -> Array:
         """Return the values to keep at a time [s]: (m,) [m, rad]."""
@@ -140,34 +140,36 @@ class JointSystem:
 
         They are taken at the given positions (n, 3), or the present ones. The run does not change.
         """
-        here = self.equations.glance(self.place() if place is None else self.at(place))
+        here = self.equations.evaluate_without_memory(
+            self.place() if place is None else self.at(place)
+        )
         return here.jacobian[:, self.order]
 
-    def stiff(self, place: Array | None = None) -> Array:
+    def two_sided_jacobian(self, place: Array | None = None) -> Array:
         """Return the rows of `jacobian` that can push as well as pull: (m, n, 3)."""
         return self.jacobian(place)[~self._pulls_only]
 
     def wrenches(self, tension: Array, place: Coordinates) -> Array:
         """Return the forces and torques on bodies of forces along rows (m,): (n, 3) [N, N m]."""
-        return -(tension @ self._looked(place).jacobian)[self.order]
+        return -(tension @ self._evaluated(place).jacobian)[self.order]
 
-    def _looked(self, place: Coordinates) -> Rows:
-        """Return the result of `look`, from memory if the positions are the last ones."""
+    def _evaluated(self, place: Coordinates) -> Rows:
+        """Return the result of `evaluate`, from memory if the positions are the last ones."""
         if self.equations.others:  # each look changes their state
-            return self.look(place)
+            return self.evaluate(place)
         where = place.values.tobytes()
         if self._last is None or self._last[0] != where:
-            self._last = where, self.look(place)
+            self._last = where, self.evaluate(place)
         return self._last[1]
 
-    def kinetic(self, motion: Array) -> float:
+    def kinetic_energy(self, motion: Array) -> float:
         """Return the kinetic energy of velocities (3 N,) [J]."""
         return float((motion * motion).dot(self._inertia)) / 2
 
-    def parting(self) -> tuple[str, float]:
+    def largest_residual(self) -> tuple[str, float]:
         """Return the joint with the largest residual, and that residual [m, rad]."""
         place, _ = self.coordinates()
-        off = self.equations.glance(place).total - self.length
+        off = self.equations.evaluate_without_memory(place).total - self.length
         off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
         off[self.changes] = 0.0  # the values to keep now are not known here
         if not len(off):

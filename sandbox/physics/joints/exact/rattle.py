@@ -37,12 +37,14 @@ def motion(
 def _by_matrix(
     joints: JointSystem, place: Coordinates, free: Array, driven: Array, drift: float
 ) -> tuple[Array, Array, Array]:
-    jacobian = joints.equations.glance(place).jacobian
+    jacobian = joints.equations.evaluate_without_memory(place).jacobian
     response = jacobian * joints.inverse
     delassus = jacobian @ response.T
     moves = free - solved(delassus, jacobian @ free) @ response
     way = MOMENT * abs(drift) * moves
-    ahead, behind = (joints.equations.glance(Coordinates(place.values + w)) for w in (way, -way))
+    ahead, behind = (
+        joints.equations.evaluate_without_memory(Coordinates(place.values + w)) for w in (way, -way)
+    )
     turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(drift))
     tension = solved(delassus, jacobian @ driven + turning)
     return moves, driven - tension @ response, tension
@@ -51,11 +53,11 @@ def _by_matrix(
 def _by_band(
     band: Banded, place: Coordinates, free: Array, driven: Array, drift: float
 ) -> tuple[Array, Array, Array]:
-    here = band.look(place)
-    moves = free - band.response(here, band.solved(here, here, band.along(here, free)))
+    here = band.linearize(place)
+    moves = free - band.response(here, band.solved(here, here, band.rates(here, free)))
     way = MOMENT * abs(drift) * moves
-    ahead, behind = (band.look(Coordinates(place.values + w)) for w in (way, -way))
-    turning = band.along(ahead, moves) - band.along(behind, moves)
-    needed = band.along(here, driven) + turning / (2 * MOMENT * abs(drift))
+    ahead, behind = (band.linearize(Coordinates(place.values + w)) for w in (way, -way))
+    turning = band.rates(ahead, moves) - band.rates(behind, moves)
+    needed = band.rates(here, driven) + turning / (2 * MOMENT * abs(drift))
     tension = band.solved(here, here, needed)
     return moves, driven - band.response(here, tension), tension

@@ -62,7 +62,7 @@ class ExactJoints(ConstraintForces):
     def check(self) -> None:
         """Raise a `JointFailure` if equations are redundant, unless that was already checked."""
         if self._fresh and self._joints:
-            here = self.equations.glance(self.place())
+            here = self.equations.evaluate_without_memory(self.place())
             self._check_independent(here, here.jacobian * self.inverse, self.length)
 
     def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
@@ -83,7 +83,7 @@ class ExactJoints(ConstraintForces):
         if not self._joints:
             return
         apart = self._alone and not self._fresh
-        self.tension = self._solve_apart(until) if apart else self._solve_together(until)
+        self.tension = self._solve_separately(until) if apart else self._solve_together(until)
         last = self._past[: 3 * self.parts - 1]
         self._past = self._past[:1] if self._struck else [self.tension, *last]
         self._struck = False
@@ -91,7 +91,7 @@ class ExactJoints(ConstraintForces):
         if np.count_nonzero(self.added):
             self.added = np.zeros_like(self._taut)
 
-    def _solve_apart(self, until: float) -> Array:
+    def _solve_separately(self, until: float) -> Array:
         """Solve the equations one by one, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
         warm_start, length = self._warm_start.tolist(), self.lengths(until).tolist()
@@ -102,7 +102,7 @@ class ExactJoints(ConstraintForces):
             try:
                 impulse = one.solve(length[i], guess, self.drift)
             except ZeroDivisionError:
-                raise self.lost(i) from None
+                raise self.failure(i) from None
             found[i] = (warm_start[i] + impulse) / self.kick
         return found
 
@@ -111,7 +111,7 @@ class ExactJoints(ConstraintForces):
         if self.band and not self._fresh:
             return self._solve_band(self.band, until)
         place, motion = self.coordinates()
-        here = self.look(place)
+        here = self.evaluate(place)
         response = here.jacobian * self.inverse
         length = self.lengths(until)
         if self._fresh:
@@ -127,17 +127,17 @@ class ExactJoints(ConstraintForces):
     def _solve_band(self, band: Banded, until: float) -> Array:
         """Solve all equations as a band; return the forces along them: (m,) [N]."""
         place, motion = self.coordinates()
-        here, length = band.look(place), self.lengths(until)
+        here, length = band.linearize(place), self.lengths(until)
         try:
-            impulse, moved, wrong = band.held(
+            impulse, moved, wrong = band.hold(
                 place, motion, here, length, self._guess(), self.drift
             )
         except np.linalg.LinAlgError:
-            raise self.lost(0) from None
+            raise self.failure(0) from None
         if not wrong.dot(wrong) <= QUADRATIC**2:
-            raise self.lost(int(np.argmax(np.abs(wrong))))
+            raise self.failure(int(np.argmax(np.abs(wrong))))
         free = motion.values + band.response(here, self._warm_start)
-        work = -(self._warm_start + impulse) * band.along(here, free + moved)
+        work = -(self._warm_start + impulse) * band.rates(here, free + moved)
         self.refuse_gain(free, moved, work)
         self.batch.set_velocity(moved[self.order])
         return (self._warm_start + impulse) / self.kick
@@ -155,9 +155,9 @@ class ExactJoints(ConstraintForces):
         joint with the most work.
         """
         rounding = self._mass * (QUADRATIC / self.drift) ** 2 / 2
-        gains = self.kinetic(moved) > GROWS * self.kinetic(free) + rounding
+        gains = self.kinetic_energy(moved) > GROWS * self.kinetic_energy(free) + rounding
         if gains and not self.is_driven(free):
-            raise self.lost(int(np.argmax(work)))
+            raise self.failure(int(np.argmax(work)))
 
     def _settle(
         self, place: Coordinates, motion: Coordinates, response: Array, length: Array
@@ -175,7 +175,7 @@ class ExactJoints(ConstraintForces):
             if not (pushes.any() or stretched.any()):
                 return impulse, moved
             self._taut = (self._taut & ~pushes) | stretched
-        raise self.lost(int(np.argmax(self._pulls_only)))
+        raise self.failure(int(np.argmax(self._pulls_only)))
 
     def _newton(
         self,
@@ -195,7 +195,7 @@ class ExactJoints(ConstraintForces):
         for _ in range(MAX_ITERATIONS):
             cancellation_point()
             moved = motion.values - impulse.dot(response)
-            there = self.look(Coordinates(place.values + h * moved))
+            there = self.evaluate(Coordinates(place.values + h * moved))
             violation = there.total - length
             wrong, delassus = violation, there.jacobian.dot(response.T)
             if slack is not None and slack.any():
@@ -212,14 +212,14 @@ class ExactJoints(ConstraintForces):
                 if slack is not None:  # the last step moves slack ropes, too
                     violation = violation - h * there.jacobian.dot(step.dot(response))
                 return impulse, motion.values - impulse.dot(response), violation
-        raise self.lost(int(np.argmax(np.abs(wrong))))
+        raise self.failure(int(np.argmax(np.abs(wrong))))
 
     def _check_independent(self, here: Rows, response: Array, length: Array) -> None:
         """Refuse taut rows that are redundant at the start."""
         self._fresh = False
         self._independence = check_independent(self, here, response, length)
 
-    def lost(self, row: int) -> JointFailure:
+    def failure(self, row: int) -> JointFailure:
         """Return why there is no solution: joints work against each other, or the step is long."""
         tension = np.zeros(len(self.length))  # that of new equations is not known yet
         tension[: len(self.tension)] = self.tension

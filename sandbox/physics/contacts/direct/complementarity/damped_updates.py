@@ -67,7 +67,7 @@ class _Updates:
         self._delassus = delassus + COMPLIANT * np.eye(len(rate))
         self._pushing, self._row = problem.pushes.nonzero()[0], friction.row
         self._slips = friction.slipping_by_each()
-        self._contact, self._there = friction.contact, problem.friction.there
+        self._contact, self._there = friction.contact, problem.friction.has_contact
         self._asked = most(rate)
 
     def better(self, active: Active, share: float) -> Active | None:

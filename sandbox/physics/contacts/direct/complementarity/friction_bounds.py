@@ -23,7 +23,7 @@ class FrictionBounds:
     @cached_property
     def _shares(self) -> tuple[Array, Array]:
         """The static and the kinetic coefficients of each contact, scaled: (2, f) each."""
-        (sticks, slips), size = self._friction.shares, self._size
+        (sticks, slips), size = self._friction.coefficients, self._size
         scale = size.take(self.row) / size.take(self.contact)
         return sticks * scale, slips * scale
 
@@ -53,7 +53,7 @@ class FrictionBounds:
             shares[each, contact] += share
         return shares
 
-    def follow(self, slip: Integers) -> Array:
+    def substitute_slip(self, slip: Integers) -> Array:
         """Return the matrix, (m, m), that maps the impulses of active rows to all impulses.
 
         Friction that slips, in the direction of its sign in `slip`, (f,), is the coefficient times

@@ -223,7 +223,7 @@ class _Scaled:
             matrix = self._delassus.take(rows, axis=0).take(rows, axis=1)
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
-        gives = self._friction.follow(active.slip)[:, rows]
+        gives = self._friction.substitute_slip(active.slip)[:, rows]
         matrix = self._delassus.take(rows, axis=0).dot(gives)
         found, repeats = solved(matrix, -self._rate.take(rows))
         return gives.dot(found), repeats
@@ -235,7 +235,7 @@ class _Scaled:
         impulses stay as they are.
         """
         rows = np.flatnonzero(active.on)
-        gives = self._friction.follow(active.slip)[:, rows]
+        gives = self._friction.substitute_slip(active.slip)[:, rows]
         free = null(self._delassus[rows] @ gives)
         ways = gives @ free
         pushes = np.flatnonzero(self._problem.pushes & active.on)

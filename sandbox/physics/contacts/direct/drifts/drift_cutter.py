@@ -28,9 +28,9 @@ from sandbox.physics.contacts.direct.drifts.drift_part_solver import PartSolver
 from sandbox.physics.contacts.direct.drifts.drift_parts import (
     DriftPart,
     around,
-    concerned,
     linked,
-    moving,
+    movable,
+    rows_acting_on,
 )
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
 from sandbox.physics.contacts.direct.drifts.joint_catches import (
@@ -46,7 +46,7 @@ from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, 
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
-from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
+from sandbox.physics.contacts.direct.kicks.speculative_kicks import close_slow_corners
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
@@ -138,7 +138,7 @@ class DriftCutter(PartSolver):
         self.reached = self.reached | bodies
         if self._early is not None and self._anew:
             late, whole = self.reached & ~self._early, self._whole
-            if np.count_nonzero(whole.forces[concerned(whole.kick, late)]):
+            if np.count_nonzero(whole.forces[rows_acting_on(whole.kick, late)]):
                 raise _Late
 
     def _parts(self, whole: DriftPart) -> list[DriftPart]:
@@ -147,9 +147,9 @@ class DriftCutter(PartSolver):
         while len(parts) <= MOST and (found := self._cut(parts[-1], len(parts))):
             parts[-1:] = found
         if len(parts) > MOST:
-            self.crowd, parts = moving(whole.kick), [whole]
+            self.crowd, parts = movable(whole.kick), [whole]
         elif len(parts) > 1:
-            last = parts[-1]._replace(halts=bool(self._stopped.any()))
+            last = parts[-1]._replace(stopped_crowds=bool(self._stopped.any()))
             parts[-1] = self._lasting(last, whole.drift)
         return parts
 
@@ -201,7 +201,7 @@ class DriftCutter(PartSolver):
         known, held = self.reached, part.kick.acts[part.kick.layout.joints][catches]
         self.reached = known | linked(part.kick, np.asarray(held.any(axis=0)))
         try:
-            return self._solved(loose(part), part.drift, part.lasts)
+            return self._solved(loose(part), part.drift, part.kick_duration)
         except (JointFailure, NoForces):
             self.reached = known
             return part
@@ -209,10 +209,10 @@ class DriftCutter(PartSolver):
     def _until_it_stops(self, part: DriftPart) -> DriftPart | None:
         """Return a part up to where its first slip ends; None if none does."""
         ends = slip_ends(part, self._laws)
-        ends = ends[~self._stopped[part.kick.layout.touching.sliding[:, ends]].any(axis=0)]
+        ends = ends[~self._stopped[part.kick.layout.touching.friction_bodies[:, ends]].any(axis=0)]
         if not len(ends) or self._stops == STOPS:
             return None
-        known, slides = self.reached, part.kick.layout.touching.sliding[:, ends]
+        known, slides = self.reached, part.kick.layout.touching.friction_bodies[:, ends]
         self.reached = known | around(part.kick, slides.T.tolist())
         if (stopped := until_it_stops(part, ends, self._laws, self._shortened)) is None:
             self.reached = known
@@ -226,18 +226,18 @@ class DriftCutter(PartSolver):
         If the part is the whole drift, the `crowd` is only noted: the caller stops it by the kick
         before. `number` counts the parts; `reached`, (n,), took part in what has landed so far.
         """
-        begins, many = part.left == self._whole.drift, number + met.times > FORESEEN
-        dull, struck = self._speculative.dull, self.record.struck
+        begins, many = part.time_left == self._whole.drift, number + met.time_count > FORESEEN
+        dull, struck = self._speculative.dull, self.record.impacts
         crowded = crowd(part.kick, met, dull, struck, begins=begins)
         if many and (begins or not crowded.any()):
-            self.crowd = moving(part.kick)
+            self.crowd = movable(part.kick)
         elif begins and (crowded & ~self._still).any():
             self.crowd = crowded
         if begins or not crowded.any():
             return ()
 
         def again(part: DriftPart, kick: Kick) -> DriftPart:
-            self._take_in(around(kick, kick.contacts.bodies[-kick.closes :].tolist()))
+            self._take_in(around(kick, kick.contacts.bodies[-kick.closing_count :].tolist()))
             return self._again(part, kick)
 
         known, self.reached = self.reached, reached
@@ -251,7 +251,7 @@ class DriftCutter(PartSolver):
 
     def _sunk(self, part: DriftPart) -> list[Pair]:
         """Return the pairs of bodies because of which a part is divided."""
-        return part.sunk if part.drift > LEAST * self._whole.drift else []
+        return part.deep_pairs if part.drift > LEAST * self._whole.drift else []
 
     def _is_calm(self, pair: Pair) -> bool:
         """Return whether one of two bodies was stopped, and nothing has struck them since."""
@@ -277,9 +277,9 @@ class DriftCutter(PartSolver):
             near = [pair for pair in near if pair not in met.pairs]
         joints.time(left, left)
         course = joints.course(self._until - left, self._until)
-        rest = self._meetings.resting(shorter, near)
+        rest = self._meetings.overlapping(shorter, near)
         known = shorter.kick.contacts_at(place).followed_by(rest)
-        kick = self._following(shorter, self._build.anew(place, known.followed_by(down), course))
+        kick = self._following(shorter, self._build.rebuilt(place, known.followed_by(down), course))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self._take_in(around(kick, down.followed_by(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
@@ -289,7 +289,9 @@ class DriftCutter(PartSolver):
             begun, stages = self._struck(part, struck, catching)
         else:
             _, begun, stages = self._arrived(part, struck, catching)
-        after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
+        after = part._replace(
+            time_left=left, drift=left, start_velocity=begun, stages=stages, velocity=begun
+        )
         return self._closed(self._solved(after, left, left / 2))
 
     def _pass(
@@ -304,7 +306,7 @@ class DriftCutter(PartSolver):
         beside = self._meetings.beside(ended, begun, met, near)
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
-        kick = self._build.anew(
+        kick = self._build.rebuilt(
             place, known.followed_by(beside).followed_by(after), course, at_ends
         )
         kick = self._following(shorter, kick)
@@ -328,21 +330,21 @@ class DriftCutter(PartSolver):
         `catching` which of its joints catch, (m,).
         """
         some, came, before = self._arrived(part, struck, catching)
-        begun, pushes, pairs = coupled_impacts.bounce(some, came, struck, part.active)
+        begun, pushes, pairs = coupled_impacts.solve_impacts(some, came, struck, part.active)
         stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
-        time = self._whole.drift - part.left + part.drift
+        time = self._whole.drift - part.time_left + part.drift
         self.record.note(pairs, time, stages[1].contacts, landed)
         if np.count_nonzero(catching):
             self.record.jerked = self.record.jerked | self.reached
         return begun, stages
 
     def _closed(self, part: DriftPart) -> DriftPart:
-        """Return a part in which corners have come down; see `closed`."""
-        return closed(part, self._speculative, self._build, self._laws, self._again)[0]
+        """Return a part in which corners have come down; see `close_slow_corners`."""
+        return close_slow_corners(part, self._speculative, self._build, self._laws, self._again)[0]
 
     def _again(self, part: DriftPart, kick: Kick) -> DriftPart:
         """Return a part, solved with more rows."""
         forces, active = recalled(part.kick, part.forces, part.active, kick)
         more = part._replace(kick=kick, forces=forces, active=active)
-        return self._solved(more, part.drift, part.lasts)
+        return self._solved(more, part.drift, part.kick_duration)

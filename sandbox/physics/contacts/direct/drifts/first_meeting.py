@@ -53,18 +53,19 @@ class FirstMeeting(NamedTuple):
 
     `time` is since the start of the drift [s]. `hits` are the impacts of bodies that did not touch
     before; `corners` land on a side of a body that their own body already touches; `passing` are
-    the contacts that pass the end of a side, if nothing lands. `coming` are all pairs of bodies
-    with an impact in the drift, also after this one; `falling` are all pairs of which a corner
-    lands in it. `times` is the number of distinct times of the impacts of `coming`.
+    the contacts that pass the end of a side, if nothing lands. `impact_pairs` are all pairs of
+    bodies with an impact in the drift, also after this one; `corner_pairs` are all pairs of which a
+    corner lands in it. `time_count` is the number of distinct times of the impacts of
+    `impact_pairs`.
     """
 
     time: float
     hits: Sequence[Hit]
     corners: Sequence[AnyCorner]
     passing: Sequence[EndCrossing]
-    coming: Sequence[Pair]
-    falling: Sequence[Pair]
-    times: int
+    impact_pairs: Sequence[Pair]
+    corner_pairs: Sequence[Pair]
+    time_count: int
 
     @property
     def again(self) -> PossibleMeetings:
@@ -93,11 +94,11 @@ class MeetingFinder:
 
     def ahead(self, part: DriftPart, calm: Callable[[Pair], bool]) -> PossibleMeetings:
         """Return what may meet in a part of a drift, but for pairs that are `calm`."""
-        look, kick, way = self._speculative, part.kick, part.drift * part.moved
+        look, kick, way = self._speculative, part.kick, part.drift * part.velocity
         pairs = look.approaching.near(kick.contacts, kick.place, way)
         return PossibleMeetings(
             [pair for pair in pairs if not calm(pair)],
-            [one for one in look.corners(kick, part.moved) if not calm(one.pair)],
+            [one for one in look.corners(kick, part.velocity) if not calm(one.pair)],
             [one for one in look.ends.passing(kick, way, part.forces) if not calm(one.bodies)],
         )
 
@@ -105,8 +106,8 @@ class MeetingFinder:
         self, part: DriftPart, longest: float, ahead: PossibleMeetings
     ) -> FirstMeeting | None:
         """Return what meets first on the parabolas of a part within a time `longest` [s]."""
-        total, (pairs, corners, passing) = self._laws + part.pulls, ahead
-        begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
+        total, (pairs, corners, passing) = self._laws + part.constraint_acceleration, ahead
+        begun, place = part.velocity - total * (part.drift / 2), part.kick.place.values
 
         def at(t: float) -> Coordinates:
             return Coordinates(place + t * (begun + total * (t / 2)))
@@ -115,7 +116,7 @@ class MeetingFinder:
             return self._speculative.height(corner, at(t)) - TOUCH
 
         def left(one: EndCrossing, t: float) -> float:
-            return one.left(at(t))
+            return one.distance_left(at(t))
 
         path = Path(place[self._order], begun[self._order], total[self._order])
         near = self._speculative.approaching
@@ -152,23 +153,27 @@ class MeetingFinder:
         guests = {one.bodies[1] for one in met.passing}
         some = [pair for pair in pairs if guests & {*pair}]
         path = Path(*(rates[self._order] for rates in (place.values, begun, self._laws)))
-        left = ended.left - ended.drift
+        left = ended.time_left - ended.drift
         corners, hits = look.approaching.touching(path, BEYOND * left, some)
         gives = left * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if hit.parting >= -gives]
         return look.contacts(corners, place, ended.kick.joints.origin, rests)
 
-    def resting(self, ended: DriftPart, pairs: Sequence[Pair]) -> Contacts:
+    def overlapping(self, ended: DriftPart, pairs: Sequence[Pair]) -> Contacts:
         """Return the contacts of bodies that already overlap where a part of a drift ends.
 
         They met shortly before the part ends, and more slowly than forces could cause in the rest
         of the drift: nothing else would stop them. Faster ones are left to land. `pairs` are the
         bodies to consider, which did not touch before.
         """
-        look, place, total = self._speculative, ended.end, self._laws + ended.pulls
-        path = Path(*(rates[self._order] for rates in (place.values, ended.moved, total)))
+        look, place, total = (
+            self._speculative,
+            ended.end,
+            self._laws + ended.constraint_acceleration,
+        )
+        path = Path(*(rates[self._order] for rates in (place.values, ended.velocity, total)))
         corners, hits = look.approaching.touching(path, 0.0, pairs)
-        gives = (ended.left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
+        gives = (ended.time_left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if abs(hit.parting) <= gives]
         return look.contacts(corners, place, ended.kick.joints.origin, rests)
 

@@ -58,7 +58,9 @@ class CornerPairs:
                 new = CornerPair((one, other), complex(features.normal[gap]), turned)
                 self._held[a, b] = before.get((a, b), new)
 
-    def steady(self, contacts: Contacts, place: Coordinates, origin: complex) -> Contacts:
+    def with_kept_normals(
+        self, contacts: Contacts, place: Coordinates, origin: complex
+    ) -> Contacts:
         """Return the contacts with the remembered normals of corner pairs.
 
         `place` has the positions of the bodies, and `origin` is the origin of these [m].

@@ -30,7 +30,7 @@ HALVINGS = 50
 """The bisections in the search for the largest rebound that adds no energy."""
 
 
-def struck(
+def striking(
     kick: Kick, came: Array, acts: Array, change: Array, pushed: Callable[[], Array]
 ) -> Booleans:
     """Return which gaps close faster than forces within a step could cause: (k,).
@@ -39,10 +39,10 @@ def struck(
     changes by forces in a step, and in the last step [m/s, rad/s]. `pushed` returns the impulses of
     a step, (r,): on a light body between heavy ones they cancel, but their rounding does not.
     """
-    jacobian = kick.here.jacobian[kick.layout.gaps]
+    jacobian = kick.rows_at_start.jacobian[kick.layout.gaps]
     rates = np.array((came, acts, change)).dot(jacobian.T)
     closing, (acting, changing) = rates[0], np.abs(rates[1:])
-    if kick.closes:
+    if kick.closing_count:
         closing = np.where(kick.ahead, 0.0, closing)
     gives = np.maximum(acting, changing)
     far: Booleans = closing < -gives
@@ -60,11 +60,13 @@ def struck(
 def _rounding(kick: Kick, swift: Array) -> Array:
     """Return the rounding errors of the gaps' rates, (k,), from the sizes of velocities, (3 N,)."""
     around = np.repeat(np.abs(planes(swift)), 2)  # rounding has no direction
-    speeds = np.abs(kick.here.jacobian[kick.layout.gaps]) @ np.append(around, angles(swift))
-    return np.asarray(ROUNDING * speeds + kick.blur)
+    speeds = np.abs(kick.rows_at_start.jacobian[kick.layout.gaps]) @ np.append(
+        around, angles(swift)
+    )
+    return np.asarray(ROUNDING * speeds + kick.velocity_rounding)
 
 
-def come(
+def approach_velocity(
     kick: Kick,
     motion: Array,
     strikes: Booleans,
@@ -84,7 +86,7 @@ def come(
     return motion + impulse @ kick.response, impulse
 
 
-def bounce(
+def solve_impacts(
     kick: Kick, came: Array, strikes: Booleans, held: Active | None = None
 ) -> tuple[Array, Array, list[Pair]]:
     """Return the velocities after the impacts of a step, their impulses, and the pairs.
@@ -94,7 +96,8 @@ def bounce(
     rebound is reduced to the largest share for which there are impulses that add no energy.
 
     `came`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `held` see
-    `come`. Raises `JointFailure` or `NoForces` if there are no impulses even without a rebound.
+    `approach_velocity`. Raises `JointFailure` or `NoForces` if there are no impulses even without a
+    rebound.
     """
     if kick.layout.in_sequence and np.count_nonzero(strikes):
         impulse, met = _in_sequence(kick, came)
@@ -105,7 +108,7 @@ def bounce(
 
 
 def _together(kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> Array:
-    """Return the impulses of impacts that are solved all at once, (r,); see `bounce`."""
+    """Return the impulses of impacts that are solved all at once, (r,); see `solve_impacts`."""
     rebound = _Rebound(kick, came, strikes, held)
     impulse = rebound.taken(1.0, EXACT)
     if impulse is None:
@@ -118,7 +121,7 @@ def _in_sequence(kick: Kick, came: Array) -> tuple[Array, list[Integers]]:
 
     Bilateral joints pass them on; ropes react to the velocities after them. See `Pile`.
     """
-    layout, jacobian = kick.layout, kick.here.jacobian
+    layout, jacobian = kick.layout, kick.rows_at_start.jacobian
     impulse, takes = np.zeros(len(jacobian)), np.zeros(len(jacobian), dtype=bool)
     for rows, _, _ in layout.islands:
         takes[rows] = True
@@ -143,7 +146,7 @@ def _in_sequence(kick: Kick, came: Array) -> tuple[Array, list[Integers]]:
 def _through_joints(kick: Kick, response: Array) -> Array:
     """Return velocity changes, (k, 3 N), after bilateral joints have passed the impulses on."""
     free = kick.layout.problem.free
-    jacobian, held = kick.here.jacobian[free], kick.response[free]
+    jacobian, held = kick.rows_at_start.jacobian[free], kick.response[free]
     return response - np.linalg.solve(jacobian @ held.T, jacobian @ response.T).T @ held
 
 
@@ -157,16 +160,16 @@ def _largest(rebound: "_Rebound") -> float:
 
 
 class _Rebound:
-    """Shares of the rebound after an impact; for the parameters see `bounce`.
+    """Shares of the rebound after an impact; for the parameters see `solve_impacts`.
 
     `leaves`, (r,), is minus the rate of each row after the whole rebound [m/s, rad/s].
     """
 
     def __init__(self, kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> None:
         self._kick, self._came, self._guess = kick, came, held
-        layout, self._rates = kick.layout, kick.here.jacobian @ came
+        layout, self._rates = kick.layout, kick.rows_at_start.jacobian @ came
         self._runs = self._rates.copy()
-        self._runs[layout.slips] += kick.runs
+        self._runs[layout.slips] += kick.belt_slip
         self.leaves = np.zeros(len(kick.response))
         closing = np.minimum(self._rates[layout.gaps], 0.0)
         self.leaves[layout.gaps] = layout.restitution * closing * strikes
@@ -192,12 +195,12 @@ class _Rebound:
         except (JointFailure, NoForces):
             return None
         kick, touch = self._kick, self._kick.layout.touch
-        after = self._runs + kick.here.jacobian @ (impulse @ kick.response)
+        after = self._runs + kick.rows_at_start.jacobian @ (impulse @ kick.response)
         work = float(impulse[touch] @ (self._runs + after)[touch]) / 2
         return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(self._rates)) else None
 
 
-def recorded(kick: Kick, left: Array, pushes: Array) -> ImpactOutcome:
+def outcome(kick: Kick, left: Array, pushes: Array) -> ImpactOutcome:
     """Return the record of impacts, from the velocities after them, (3 N,), and impulses, (r,)."""
     places = order(kick.response.shape[1] // 3 - 1)
     jump = (pushes @ kick.response)[places]
@@ -219,9 +222,9 @@ def impulses(
     rows hold; if None, those that meet do, and no friction.
     """
     layout, joints = kick.layout, kick.layout.joints
-    rate = kick.here.jacobian @ motion + leaves
+    rate = kick.rows_at_start.jacobian @ motion + leaves
     rate[joints] += kick.rates_now()
-    rate[layout.slips] += kick.runs
+    rate[layout.slips] += kick.belt_slip
     slack = np.zeros(len(rate), dtype=bool)
     slack[joints] = kick.slack
     asked = layout.problem
@@ -231,4 +234,4 @@ def impulses(
     if held is not None:
         on[layout.slips], slip = held.on[layout.slips], held.slip
     guess = Active(on, slip)
-    return solve_rows(kick, layout.asking(problem), kick.here.jacobian, rate, guess)[0]
+    return solve_rows(kick, layout.asking(problem), kick.rows_at_start.jacobian, rate, guess)[0]

@@ -34,7 +34,9 @@ class FalseContacts:
         """Accept all contacts once: bodies were put elsewhere."""
         self._pairs = self._same = None
 
-    def sound(self, contacts: Contacts, moved: Callable[[], tuple[Array, Array]]) -> Contacts:
+    def without_false(
+        self, contacts: Contacts, moved: Callable[[], tuple[Array, Array]]
+    ) -> Contacts:
         """Return the contacts that are real.
 
         `moved` returns the positions of the bodies, (n, 2) [m], and the sizes of their
@@ -55,7 +57,7 @@ class FalseContacts:
         self._same = contacts.bodies if whole else None
         return contacts if whole else Contacts._make(field[good] for field in contacts)
 
-    def since(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
+    def updated(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
         """Return contacts with those that a displacement has made; the same object if none.
 
         `state`, (n, 6), is the state of the bodies now, see `Batch.state`; `shift`, (n, 3), are
@@ -66,7 +68,7 @@ class FalseContacts:
         return (
             contacts
             if found is contacts
-            else self.sound(found, lambda: (state[:, :2], np.abs(shift)))
+            else self.without_false(found, lambda: (state[:, :2], np.abs(shift)))
         )
 
 

@@ -58,13 +58,13 @@ class KickBuilder:
         is called only if there are new contacts.
         """
         shift = self.shift
-        self.contacts = self._false.sound(
+        self.contacts = self._false.without_false(
             self._batch.contacts(),
             lambda: (self._batch.state()[:, :2], moved() + np.abs(shift)),
         )
         self.shift = self._still
 
-    def follow(self, until: float) -> None:
+    def set_course(self, until: float) -> None:
         """Take up the lengths that joints keep before and after a drift that ends at a time [s]."""
         if until == self._until and not np.count_nonzero(self._joints.added):
             return
@@ -75,8 +75,8 @@ class KickBuilder:
         """Begin at a time, and not at the start [s]."""
         self._course = self._joints.course(t, t)
 
-    def standing(self, course: Course) -> Kick:
-        """Return the system at the present positions; see `DirectSolver.standing`."""
+    def without_correction(self, course: Course) -> Kick:
+        """Return the system at the present positions; see `DirectSolver.without_correction`."""
         self._course = course
         return self.at(self._joints.place())
 
@@ -91,14 +91,14 @@ class KickBuilder:
         self._corners.forget()
         self.shift = self._still
 
-    def look(self, leaving: Array) -> Kick:
+    def corrected(self, leaving: Array) -> Kick:
         """Return the system at the present positions, after the correction of overlaps.
 
         `leaving`, (3 N,), are the displacements of the next step without forces [m, rad].
         """
         place, _ = self._joints.coordinates()
         kick = self.at(place)
-        way = self._overlaps.way(kick, leaving) if self.corrects else None
+        way = self._overlaps.displacement(kick, leaving) if self.corrects else None
         if way is None:
             return kick
         self.corrects = False
@@ -108,7 +108,7 @@ class KickBuilder:
         self._batch.set_state(state)
         there = Coordinates(place.values + way)
         carried = kick.carried(there)
-        found = self._false.since(carried, state, self.shift, self._surfaces.slop)
+        found = self._false.updated(carried, state, self.shift, self._surfaces.slop)
         if found is carried:
             return kick.moved(there)
         self.contacts = found
@@ -117,7 +117,7 @@ class KickBuilder:
     def at(self, place: Coordinates) -> Kick:
         """Return the system at given positions of the bodies."""
         joints = self._joints
-        self.contacts = self._corners.steady(self.contacts, place, joints.origin)
+        self.contacts = self._corners.with_kept_normals(self.contacts, place, joints.origin)
         layout, running = self._layouts.of(self.contacts), self._surfaces.running
         kick = Kick.at(place, joints, self.contacts, layout, running, self._course)
         self._corners.note(kick)
@@ -130,11 +130,11 @@ class KickBuilder:
         if ends is not None:
             known = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
             layout = layout.at_ends(np.pad(known, ((0, 0), (0, len(ahead.bodies)))))
-        running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
-        course = Course(kick.before, kick.after, kick.t)
+        running, closes = self._surfaces.running, kick.closing_count + len(ahead.bodies)
+        course = Course(kick.lengths_before, kick.lengths_after, kick.t)
         return Kick.at(kick.place, self._joints, contacts, layout, running, course, closes)
 
-    def anew(
+    def rebuilt(
         self,
         place: Coordinates,
         contacts: Contacts,

@@ -30,7 +30,9 @@ class KickStart(NamedTuple):
     driven: bool
 
 
-def take(kick: Kick, start: KickStart, known: WarmStart, *, placed: bool = False) -> KickResult:
+def solve_kick(
+    kick: Kick, start: KickStart, known: WarmStart, *, placed: bool = False
+) -> KickResult:
     """Take a kick, whose length its joints know, and return the result.
 
     `known` is the warm start: the forces of the last kick. For `placed` see `hold`. Raises
@@ -42,23 +44,23 @@ def take(kick: Kick, start: KickStart, known: WarmStart, *, placed: bool = False
     def pushed() -> Array:
         return known.guess(kick, at_step, start.step)[0]
 
-    strikes = coupled_impacts.struck(kick, at_step, acts, start.change, pushed)
+    strikes = coupled_impacts.striking(kick, at_step, acts, start.change, pushed)
     if not (np.count_nonzero(strikes) or np.count_nonzero(kick.joints.added)):
-        return _onwards(kick, start, velocity, kick.joints.kick, known, placed=placed)
+        return _without_impacts(kick, start, velocity, kick.joints.kick, known, placed=placed)
     places = order(len(velocity) // 3 - 1)
-    came, before = coupled_impacts.come(kick, at_step, strikes)
-    left, pushes, _ = coupled_impacts.bounce(kick, came, strikes)
-    rest = _onwards(kick, start, left, kick.joints.kick - lead, known, placed=placed)
+    came, before = coupled_impacts.approach_velocity(kick, at_step, strikes)
+    left, pushes, _ = coupled_impacts.solve_impacts(kick, came, strikes)
+    rest = _without_impacts(kick, start, left, kick.joints.kick - lead, known, placed=placed)
     stages = (
         Stage.of(kick, lead, came[places], before),
         Stage.of(kick, 0, left[places], pushes),
-        Stage.of(kick, rest.lasts, rest.moved[places], rest.total),
+        Stage.of(kick, rest.duration, rest.velocity[places], rest.impulse),
     )
-    record, total = coupled_impacts.recorded(kick, left, pushes), before + pushes + rest.total
-    return rest._replace(total=total, impacts=record, stages=stages)
+    record, total = coupled_impacts.outcome(kick, left, pushes), before + pushes + rest.impulse
+    return rest._replace(impulse=total, impacts=record, stages=stages)
 
 
-def _onwards(
+def _without_impacts(
     kick: Kick, start: KickStart, begun: Array, lasts: float, known: WarmStart, *, placed: bool
 ) -> KickResult:
     """Return a kick without impacts, or the rest of a kick after them, of length `lasts` [s]."""

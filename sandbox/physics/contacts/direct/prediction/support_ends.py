@@ -88,7 +88,7 @@ class SupportEnds:
             one
             for one in self._all(kick, ahead)
             if self._lands[one.bodies]
-            and one.left(there) < -LEAST
+            and one.distance_left(there) < -LEAST
             and (bears[one.gap] or _comes_down(kick, one, there))
         ]
 
@@ -122,7 +122,7 @@ class SupportEnds:
                 kick.place.plane[one.bodies[0]] + one.foot * kick.place.turned[one.bodies[0]]
             )
             own = int(known.bodies[one.contact, 0] != one.bodies[0])
-            at_end = (one.leaves, one.leaves and one.lies is not None)
+            at_end = (one.leaves, one.leaves and one.extra_distance is not None)
             if one.leaves and self._sharp[list(one.bodies)].all():
                 normal, at_end = self._entered(kick, one, foot, motion), (True, False)
                 if not normal:
@@ -178,7 +178,7 @@ class SupportEnds:
         """Yield the contacts that may leave a side in a drift; see `_all`."""
         lying, sides = PointsOnSides.at(kick, self._sides), self._sides
         for way, ends, until in ((-1, sides.begin, lying.begin), (1, sides.end, lying.end)):
-            left = lying.left(way)
+            left = lying.distance_left(way)
             self._note(float(left.min()))
             for gap in np.flatnonzero((left > -NEAR) & (left < ahead)).tolist():
                 own, number = int(lying.side[gap]), int(lying.number[gap])
@@ -193,7 +193,7 @@ class SupportEnds:
                     1j * way * normal,
                     complex(lying.point[gap]),
                     leaves=True,
-                    lies=way * (float(until[gap]) - end) if lying.flat[gap] else None,
+                    extra_distance=way * (float(until[gap]) - end) if lying.flat[gap] else None,
                 )
 
     def _is_tip(self, body: int, point: complex) -> bool:
@@ -209,7 +209,7 @@ class SupportEnds:
         The end that they pass is still to be set. Also the point of that body, along its axes [m].
         """
         touching, points = kick.layout.touching, kick.features.points
-        on = kick.features.owns[:, : len(touching.pair)].any(axis=0)
+        on = kick.features.is_owner[:, : len(touching.pair)].any(axis=0)
         for gap in np.flatnonzero(~on & self._ends[touching.bodies].any(axis=0)).tolist():
             bodies, tips = touching.bodies[:, gap].tolist(), points[:, gap].tolist()
             for (own, tip), (other, point) in permutations(zip(bodies, tips, strict=True)):
@@ -221,10 +221,10 @@ class SupportEnds:
     ) -> Iterator[EndCrossing]:
         """Yield a contact of a corner for each side that it may come onto; see `_all`."""
         for normal, foot, way in self._sides.at(passing.bodies[0], tip):
-            one = passing._replace(foot=foot, onwards=1j * way * normal)
-            left = one.left(kick.place)
+            one = passing._replace(foot=foot, direction=1j * way * normal)
+            left = one.distance_left(kick.place)
             self._note(left)
-            if -NEAR < left < ahead and dot(one.seen(kick.place) - foot, normal) > 0:
+            if -NEAR < left < ahead and dot(one.point_on_side(kick.place) - foot, normal) > 0:
                 yield one
 
     def _off(
@@ -232,8 +232,8 @@ class SupportEnds:
     ) -> Iterator[EndCrossing]:
         """Yield a contact for each end of an arc or a curve at which it may leave; see `_all`."""
         for end, onwards in line.ends:
-            one = passing._replace(foot=end, onwards=onwards, leaves=True)
-            left, way = one.left(kick.place), one.seen(kick.place) - end
+            one = passing._replace(foot=end, direction=onwards, leaves=True)
+            left, way = one.distance_left(kick.place), one.point_on_side(kick.place) - end
             self._note(abs(left))
             out = 1j * onwards if dot(way, 1j * onwards) > 0 else -1j * onwards
             bend = dot(way, out) - line.half - self._radius[one.bodies[1]]
@@ -250,8 +250,8 @@ def _comes_down(kick: Kick, one: EndCrossing, there: Coordinates) -> bool:
     if one.leaves:
         return False
     depth = float(kick.contacts.depths.take(kick.layout.touching.number)[one.gap])
-    reach = abs(kick.features.apart[one.gap]) + depth
-    return abs(dot(one.seen(there) - one.foot, 1j * one.onwards)) < reach
+    reach = abs(kick.features.offset[one.gap]) + depth
+    return abs(dot(one.point_on_side(there) - one.foot, 1j * one.direction)) < reach
 
 
 def _tips(kick: Kick) -> Plane:

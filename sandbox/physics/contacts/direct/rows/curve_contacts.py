@@ -62,7 +62,7 @@ class CurveContact:
     start: float
     radius: float
 
-    def look(self, place: complex) -> FollowedContact:
+    def evaluate(self, place: complex) -> FollowedContact:
         """Return the contact with P at a place, along the axes of the curve's body."""
         first, foot = self.foot, self.course.foot_point_near(place, self.foot.parameter)
         left = 1j * foot.tangent
@@ -143,7 +143,7 @@ def follow_curves(
         where, turned = placed[0], complex(placed[1][one.curve])
         own, other = arms[:: one.sign]
         way = complex(where[one.other] + other[one.point] - where[one.curve])
-        found = one.look(way / turned)
+        found = one.evaluate(way / turned)
         gap[one.point], slip[one.point] = found.gap, found.slip
         along[one.point] = one.sign * found.normal * turned
         across[one.point] = 1j * along[one.point] * found.share

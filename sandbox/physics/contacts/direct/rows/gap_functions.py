@@ -64,7 +64,7 @@ class Features:
         (k + f,), the body with the side; the first body where there is none.
     normal
         (k + f,), n above, and i n for friction, along the axes of that body.
-    owns
+    is_owner
         (2, k + f), 1 for the body with the side, else 0.
     rounds
         The r points without a side; None if all have one.
@@ -74,7 +74,7 @@ class Features:
         a and b above, (2, f) [m].
     circles
         (f,), s above for friction between discs, and 0 elsewhere.
-    apart
+    offset
         (k,), d at the beginning of the drift [m].
     curved
         The points on curves, which are osculating circles in the other fields.
@@ -86,21 +86,21 @@ class Features:
     points: Plane
     side: Integers
     normal: Plane
-    owns: Array
+    is_owner: Array
     rounds: slice | Integers | None
     sign: Array
     rolls: Array
     circles: Array
-    apart: Plane
+    offset: Plane
     curved: tuple[CurveContact, ...] = ()
     corners: Booleans | None = None
 
-    def look(self, place: Coordinates, total: Array, jacobian: Array) -> None:
+    def evaluate(self, place: Coordinates, total: Array, jacobian: Array) -> None:
         """Write the gaps and slips, (k + f,), and their Jacobian, (k + f, 3 N).
 
         Entries of the Jacobian that are 0 are not written.
         """
-        held, count = self.touching.held, len(self.apart)
+        held, count = self.touching.row_bodies, len(self.offset)
         turned, plane = place.turned, place.plane
         arms = self.points * turned.take(held)
         ends = plane.take(held) + arms
@@ -112,19 +112,19 @@ class Features:
         total[:] = beside.real
         way = FROM_TO * ways
         spin = (way * arms.conj()).imag
-        spin += self.owns * beside.imag
+        spin += self.is_owner * beside.imag
         if len(held[0]) > count:
             rolled = self.rolls * place.angle.take(held[:, count:])
             total[count:] += rolled[0]
             total[count:] += rolled[1]
             spin[:, count:] += self.rolls
-        in_plane, in_angle = self.touching.into
+        in_plane, in_angle = self.touching.jacobian_indices
         flat = jacobian.reshape(-1)
         flat[in_plane], flat[in_angle] = way.view(float), spin
 
     def _bend(self, place: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
-        """Correct the rows of discs and curves, for which normals turn; see `look`."""
-        rubs, count = self.touching.rubs, len(d)
+        """Correct the rows of discs and curves, for which normals turn; see `evaluate`."""
+        rubs, count = self.touching.friction_points, len(d)
         along, across = ways[:count], 1j * ways[:count]
         rows = gap, slip, _, _ = beside.real[:count], beside.imag[:count], along, across
         if self.rounds is not None:
@@ -144,19 +144,19 @@ class Features:
         d = _directed(d[rounds], normal)
         size = np.abs(d)
         gap[rounds], along[rounds] = sign * size, sign * d / size
-        if len(self.touching.rubs):
-            apart = _directed(self.apart[rounds], normal)
+        if len(self.touching.friction_points):
+            apart = _directed(self.offset[rounds], normal)
             first, turned = np.abs(apart), d / apart
             slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
             across[rounds] = 1j * along[rounds] * (first / size)
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same contact points for a drift that begins at other positions."""
-        held = self.touching.held
-        first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
-        there = copy(self)
-        there.apart = second - first
-        there.rolls = _to_the_middle(self.rolls, self.circles, there.apart[self.touching.rubs])
+        there, held, rubs = copy(self), self.touching.row_bodies, self.touching.friction_points
+        points = place.plane[held] + self.points * place.turned[held]
+        first, second = points[:, : len(self.offset)]
+        there.offset = second - first
+        there.rolls = _to_the_middle(self.rolls, self.circles, there.offset[rubs])
         return there
 
 
@@ -207,12 +207,12 @@ def features(
         points=((at - where) * back).take(touching.rows, axis=1),
         side=side.take(touching.rows),
         normal=np.concatenate((normal, 1j * normal.take(rubs))),
-        owns=owns.take(touching.rows, axis=1).astype(float),
+        is_owner=owns.take(touching.rows, axis=1).astype(float),
         rounds=rounds,
         sign=np.zeros(0) if sign is None else sign[rounds],
         rolls=_to_the_middle(rolls, circles, d[rubs]),
         circles=circles,
-        apart=d,
+        offset=d,
         curved=tuple(one for one in curved if corner is not None and corner[one.point]),
         corners=corners,
     )
@@ -311,7 +311,7 @@ def _rolls(
     None if there is one everywhere. `bends`, (2, k), tells where they have rounded corners; None if
     nowhere.
     """
-    outlines, rubs = touching.outlines, touching.rubs
+    outlines, rubs = touching.outlines, touching.friction_points
     if not len(rubs):
         return np.zeros((2, 0))
     if sign is None:

@@ -102,7 +102,7 @@ class Layout:
 
     def rubbing(self, slips: Array) -> "Layout":
         """Return the same rows with other coefficients of kinetic friction: (f,)."""
-        friction = replace(self.problem.friction, slips=slips)
+        friction = replace(self.problem.friction, kinetic=slips)
         problem = self.problem._replace(friction=friction)
         parts = [_part(problem, one.rows, one.slips) for one in self.islands]
         return replace(self, problem=problem, islands=parts)
@@ -118,7 +118,9 @@ class Layout:
         if len(self.islands) != 1 or _is_alone(self.islands[0]):
             return False
         rows, slips, _ = self.islands[0]
-        return len(rows) == len(self.problem.free) and len(slips) == len(self.touching.rubs)
+        return len(rows) == len(self.problem.free) and len(slips) == len(
+            self.touching.friction_points
+        )
 
     @cached_property
     def alone(self) -> Integers:
@@ -158,7 +160,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     first, count = len(joints.pulls_only), len(contacts.bodies)
     slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
     touching = ContactPoints.between(contacts, (slips > 0) | (static > 0), surfaces.figures, moves)
-    pair, rubs, (a, b) = touching.pair, touching.rubs, touching.bodies
+    pair, rubs, (a, b) = touching.pair, touching.friction_points, touching.bodies
     contact = _points_of(rubs, pair[count:], count)
     contact = np.where(contact >= 0, contact + first, -1)
     gaps = slice(first, first + len(pair))
@@ -282,8 +284,8 @@ def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
     friction = Friction(
         number[old.row[slips]],
         number[old.contact[:, slips]],
-        old.sticks[slips],
-        old.slips[slips],
+        old.static[slips],
+        old.kinetic[slips],
     )
     alike = None if problem.alike is None else problem.alike[rows]
     part = Problem(problem.free[rows], problem.pushes[rows], friction, alike)

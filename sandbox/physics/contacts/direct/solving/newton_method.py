@@ -47,7 +47,7 @@ def newton(
     rounds, left = _Rounds(), layout
     for iteration in range(MAX_ITERATIONS):
         way = drift * (motion + impulse.dot(kick.response))
-        there = rows(way) if np.count_nonzero(way) else kick.here
+        there = rows(way) if np.count_nonzero(way) else kick.rows_at_start
         wrong, before = there.total - wanted, (impulse, active)
         missed, rate, held = np.abs(wrong), wrong / drift, active
         far = held.on & (missed > QUADRATIC)
@@ -163,7 +163,7 @@ def _solve_island(
     if impulse is not None:
         free = free - delassus.dot(impulse)
     try:
-        return solve(problem, delassus, free, guess, kick.blur, lets)
+        return solve(problem, delassus, free, guess, kick.velocity_rounding, lets)
     except Unsolvable as error:
         raise lost(kick, int(rows[error.row])) from None
     except np.linalg.LinAlgError:
@@ -183,7 +183,7 @@ def _solve_alone(
     free = rate.take(rows)
     if impulse is not None:
         free -= own * impulse.take(rows)
-    found, blur = [], kick.blur
+    found, blur = [], kick.velocity_rounding
     for row, *known in zip(rows, own.tolist(), free.tolist(), lets.tolist(), strict=True):
         delassus, wrong, allowed = known
         try:
@@ -197,6 +197,6 @@ def lost(kick: Kick, row: int) -> JointFailure | NoForces:
     """Return the error for a row without a solution."""
     touching, gaps = kick.layout.touching, kick.layout.gaps
     if row < gaps.start:
-        return kick.joints.lost(row)
-    gap = row - gaps.start if row < gaps.stop else int(touching.rubs[row - gaps.stop])
+        return kick.joints.failure(row)
+    gap = row - gaps.start if row < gaps.stop else int(touching.friction_points[row - gaps.stop])
     return NoForces(*touching.bodies[:, gap].tolist())

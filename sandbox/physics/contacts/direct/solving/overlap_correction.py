@@ -36,7 +36,7 @@ class OverlapCorrection:
         self._held: tuple[Layout, Active] | None = None  # the active rows of the last correction
         self._lost: Array = np.zeros(0)  # the last places and targets without a solution
 
-    def way(self, kick: Kick, leaving: Array) -> Array | None:
+    def displacement(self, kick: Kick, leaving: Array) -> Array | None:
         """Return the displacement, (3 N,) [m, rad], that removes a share of each large overlap.
 
         Bodies that separate by themselves are left alone: lifting a body that bounces would add
@@ -47,7 +47,7 @@ class OverlapCorrection:
         back = self._back(kick, leaving)
         if back is None:
             return None
-        layout, here, wanted = kick.layout, kick.here, kick.targets()
+        layout, here, wanted = kick.layout, kick.rows_at_start, kick.targets()
         held, slack = here.total[layout.joints], wanted[layout.joints]
         slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
         wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
@@ -86,7 +86,7 @@ class OverlapCorrection:
         problem = layout.smooth.problem
         free, pushes = problem.free | holds, problem.pushes & ~holds
         holding = layout.smooth.asking(problem._replace(free=free, pushes=pushes))
-        slip = np.zeros(len(layout.touching.rubs), dtype=np.intp)
+        slip = np.zeros(len(layout.touching.friction_points), dtype=np.intp)
         try:
             return self._apart(kick, wanted, holding, Active(free, slip))[0]
         except (JointFailure, NoForces):
@@ -98,7 +98,7 @@ class OverlapCorrection:
         deep = kick.contacts.depths.take(layout.touching.number) - self._surfaces.slop
         if not correction or not np.count_nonzero(deep > 0):
             return None
-        parts = kick.here.jacobian[layout.gaps] @ leaving
+        parts = kick.rows_at_start.jacobian[layout.gaps] @ leaving
         parts[self._known.pressed(kick)] = 0.0  # rolling bodies separate a little: their paths bend
         back = correction * deep - np.maximum(parts, 0.0)
         back = np.where(self._known.met(kick) & (back > NOTHING), back, 0.0)
@@ -108,4 +108,6 @@ class OverlapCorrection:
         """Return the active rows of the last correction, if the contacts are the same."""
         if self._held and self._held[0] is layout:
             return self._held[1]
-        return Active(layout.problem.free, np.zeros(len(layout.touching.rubs), dtype=np.intp))
+        return Active(
+            layout.problem.free, np.zeros(len(layout.touching.friction_points), dtype=np.intp)
+        )

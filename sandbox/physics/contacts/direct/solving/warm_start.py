@@ -129,8 +129,8 @@ class WarmStart:
         signs of sliding friction, (f,), 0 where it sticks.
         """
         touching, layout, known = kick.layout.touching, kick.layout, self._known
-        rates = kick.here.jacobian @ motion
-        rates[layout.slips] += kick.runs
+        rates = kick.rows_at_start.jacobian @ motion
+        rates[layout.slips] += kick.belt_slip
         on, speed = rates[layout.gaps] < 0, rates[layout.slips]
         force, along = np.zeros(len(on)), np.zeros(len(speed))
         slip = np.where(np.abs(speed) > AT_REST, -np.sign(speed), 0).astype(np.intp)
@@ -170,7 +170,7 @@ def _same(new: list[Key], old: list[Key]) -> list[tuple[int, int]]:
 
 def _rubbing(touching: ContactPoints, keys: list[Key]) -> list[Key]:
     """Return the keys of friction, at either point, from those of all gaps."""
-    return [(*keys[gap][:3], 0) for gap in touching.rubs.tolist()]
+    return [(*keys[gap][:3], 0) for gap in touching.friction_points.tolist()]
 
 
 def _keys(touching: ContactPoints) -> list[Key]:
