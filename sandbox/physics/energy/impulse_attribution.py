@@ -98,8 +98,8 @@ class Attribution:
         kick = KickRecord(
             jolt.t,
             0.0,
-            Instant.at(jolt.t, jolt.place, jolt.velocity_before),
-            jolt.place[:, :2],
+            Instant.at(jolt.t, jolt.pose, jolt.velocity_before),
+            jolt.pose[:, :2],
             (jolt.velocity_before + jolt.velocity_after) / 2,
             self._mass,
         )

@@ -23,7 +23,7 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
-from sandbox.physics.events.switching_events import NEAR, Part, since
+from sandbox.physics.events.switching_events import NEAR, Part, first_time
 from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
@@ -103,11 +103,11 @@ class Bounces:
     def first(self, part: Part) -> tuple[int, float] | None:
         """Return the side reached first in a part of a drift, and when [s]; None if none is."""
         states = part.state(0.0), part.state(part.duration)
-        now, then = (self._beyond(place) for place, _ in states)
+        now, then = (self._beyond(pose) for pose, _ in states)
         meets = then > 0
         if not meets.any():
             return None
-        rates = [self._rate(place, velocity) for place, velocity in states]
+        rates = [self._rate(pose, velocity) for pose, velocity in states]
         waits: dict[int, float] = {}
         apart: dict[int, float] = {}  # how long sides are certainly not reached [s]
         for side in np.flatnonzero(meets).tolist():
@@ -133,17 +133,17 @@ class Bounces:
         for side, low in apart.items():
             if soonest < part.duration and not self._is_beyond(side, part, soonest):
                 continue
-            waits[side] = since(partial(self._is_beyond, side, part), low, part.duration)
+            waits[side] = first_time(partial(self._is_beyond, side, part), low, part.duration)
             soonest = min(soonest, waits[side])
         return waits
 
     def _is_beyond(self, side: int, part: Part, t: float) -> bool:
         """Return whether a side is reached at a time [s]; faster than a look at all sides."""
-        sides, place = self._sides, part.state(t)[0]
+        sides, pose = self._sides, part.state(t)[0]
         other = side - len(sides.equations.rows)
         if other < 0:
-            return bool(self._beyond(place)[side] > 0)
-        value, _ = sides.equations.others[other].evaluate(sides.at(place))
+            return bool(self._beyond(pose)[side] > 0)
+        value, _ = sides.equations.others[other].evaluate(sides.at(pose))
         return bool(value - sides.length[side] > 0)
 
     def would_rest(self, side: int, part: Part, wait: float) -> bool:
@@ -153,9 +153,9 @@ class Bounces:
         """
         if not self._restitution[side]:
             return True
-        place, velocity = part.state(wait)
-        comes = self._rate(place, velocity)[side]
-        pressed = self._rate(place, part.acceleration)[side]
+        pose, velocity = part.state(wait)
+        comes = self._rate(pose, velocity)[side]
+        pressed = self._rate(pose, part.acceleration)[side]
         return bool(2 * self._restitution[side] * comes <= pressed * self._dt)
 
     def respond(self, side: int, t: float, *, rests: bool) -> Jolt:
@@ -207,11 +207,11 @@ class Bounces:
         name = self._sides.names[side]
         return np.array([joint == name for joint in self._together.names], dtype=bool)
 
-    def _beyond(self, place: Array) -> Array:
+    def _beyond(self, pose: Array) -> Array:
         """Return how far positions, (n, 3), lie beyond the stops: (s,) [m, rad]."""
-        return self._sides.evaluate(self._sides.at(place)).total - self._sides.length
+        return self._sides.evaluate(self._sides.at(pose)).total - self._sides.length
 
-    def _rate(self, place: Array, velocity: Array) -> Array:
+    def _rate(self, pose: Array, velocity: Array) -> Array:
         """Return the speeds of approach to the stops at those positions: (s,) [m/s, rad/s]."""
-        jacobian = self._sides.evaluate(self._sides.at(place)).jacobian
+        jacobian = self._sides.evaluate(self._sides.at(pose)).jacobian
         return np.asarray(jacobian @ coordinates_of(velocity).values)

@@ -128,9 +128,9 @@ class Collision:
         its coefficient.
         """
         time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
-        place, velocity = path.at(time)
+        pose, velocity = path.at(time)
         e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
-        jacobian, response, delassus, runs = self._points(hits, place, rubs=bool(mu.any()))
+        jacobian, response, delassus, runs = self._points(hits, pose, rubs=bool(mu.any()))
         count = len(of)
         rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
         pulls = np.einsum("knc,nc->k", jacobian[:count], path.acceleration)
@@ -148,26 +148,26 @@ class Collision:
         if rests.any():
             block = delassus[:count, :count][np.ix_(rests, rests)]
             holds[:count][rests] = _impulses(block, pulls[rests], np.zeros(len(block)), mu[rests])
-        lasts = (self._dt - time) - self._dt / 2
+        duration = (self._dt - time) - self._dt / 2
         impacts = []
         for index, hit in enumerate(hits):
             rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
-            push, held = impulse[rows], holds[rows] * lasts
+            push, held = impulse[rows], holds[rows] * duration
             given = np.einsum("k,knc->nc", push + held, jacobian[rows])
             kinematic = -float(np.sum((given * velocity)[self._mass == 0]))
-            moved = self._momentum(push, response[rows], place)
+            moved = self._momentum(push, response[rows], pose)
             belt = -float(push @ runs[rows])
             impacts.append(_impact(hit, push, works[rows], kinematic, belt, moved))
         struck: Booleans = np.asarray(response.any(axis=(0, 2)))
         jump, onwards = (np.tensordot(sizes, response, 1) for sizes in (impulse, holds))
         return Bounce(struck, jump, onwards, tuple(impacts))
 
-    def _momentum(self, push: Array, response: Array, place: Array) -> Array:
+    def _momentum(self, push: Array, response: Array, pose: Array) -> Array:
         """Return the total momentum that impulses (k,) add: (3,)."""
-        return momentum(self._inertia * np.einsum("k,knc->nc", push, response), place)
+        return momentum(self._inertia * np.einsum("k,knc->nc", push, response), pose)
 
-    def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
-        jacobian = _jacobian(hits, place, rubs=rubs)
+    def _points(self, hits: Sequence[Hit], pose: Array, *, rubs: bool) -> _Points:
+        jacobian = _jacobian(hits, pose, rubs=rubs)
         response = jacobian * self._inverse_mass
         delassus = np.einsum("knc,lnc->kl", response, jacobian)
         runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
@@ -182,7 +182,7 @@ def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
     return [hit for hit in kept if hit.points]
 
 
-def _jacobian(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
+def _jacobian(hits: Sequence[Hit], pose: Array, *, rubs: bool) -> Array:
     """Return the Jacobian of the separation and, with friction, the slip: (k, n, 3)."""
     bodies = np.array([hit.bodies for hit in hits for _ in hit.points], dtype=np.intp)
     points = np.array([point for hit in hits for point in hit.points], dtype=complex)
@@ -194,8 +194,8 @@ def _jacobian(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
             np.append(ways, 1j * ways),
         )
     bodies = bodies.reshape(-1, 2)
-    arms = _vectors(points)[:, None] - place[bodies, :2]
-    return over_bodies(pair_jacobian(arms, _vectors(ways)), bodies, len(place))
+    arms = _vectors(points)[:, None] - pose[bodies, :2]
+    return over_bodies(pair_jacobian(arms, _vectors(ways)), bodies, len(pose))
 
 
 def _vectors(points: NDArray[np.complexfloating]) -> Array:

@@ -31,7 +31,7 @@ class Jolt(NamedTuple):
 
     t: float
     """The time of the impact [s]."""
-    place: Array
+    pose: Array
     """(n, 3), the positions [m, rad]."""
     velocity_before: Array
     """(n, 3), the velocities before it [m/s, rad/s]."""
@@ -90,4 +90,4 @@ def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:
     running = np.zeros((count, 2))
     surfaces = Surfaces(Figures([]), none, none, none, running, 0.0, 0.0, never)
     layout = lay_out(NO_CONTACTS, joints, surfaces, scene.mass > 0)
-    return Kick.at(joints.place(), joints, NO_CONTACTS, layout, running, course)
+    return Kick.at(joints.pose(), joints, NO_CONTACTS, layout, running, course)

@@ -116,20 +116,20 @@ class ImpactLocator:
         solves impacts. Raises `EndlessImpacts` if bodies collide more often than can be followed.
         """
         state = self._batch.state()
-        place, drifts = state[:, :3], state[:, 3:].copy()
+        pose, drifts = state[:, :3], state[:, 3:].copy()
         total = self._total(drifts, struck)
         self._first, self.impacts = None, []
         bend = np.maximum(np.abs(smooth), np.abs(total))
-        near = self._near(place, place + drifts * self._dt, bend * self._dt**2)
+        near = self._near(pose, pose + drifts * self._dt, bend * self._dt**2)
         begun, self.pre_kick_velocity = self.pre_kick_velocity, drifts
         if not len(near):
             return None
         acceleration = self._acceleration(smooth, total)
         if struck is None:
-            self._without_impacts(acceleration, smooth, place, (begun, drifts))
-        path = Path(place, drifts - acceleration * (self._dt / 2), acceleration)
+            self._without_impacts(acceleration, smooth, pose, (begun, drifts))
+        path = Path(pose, drifts - acceleration * (self._dt / 2), acceleration)
         self._extra_momentum = np.zeros(3)
-        self._follow(path, near, smooth * self._dt)
+        self._solve_in_order(path, near, smooth * self._dt)
         return self._hand_over(path, state, acceleration) if self.impacts else None
 
     def _total(self, drifts: Array, struck: Array | None) -> Array:
@@ -142,11 +142,11 @@ class ImpactLocator:
     def _hand_over(self, path: Path, state: Array, acceleration: Array) -> Cut:
         """Give pymunk the end of a path, given the state and accelerations at its start."""
         drifts, hit = self.pre_kick_velocity, path.struck
-        place, velocity = path.at(self._dt)
+        pose, velocity = path.at(self._dt)
         onwards = path.acceleration
         self.pre_kick_velocity = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
-        self._compare(path, (acceleration, onwards), (state[:, :3], place))
-        state[hit, :3] = (place - self.pre_kick_velocity * self._dt)[hit]
+        self._compare(path, (acceleration, onwards), (state[:, :3], pose))
+        state[hit, :3] = (pose - self.pre_kick_velocity * self._dt)[hit]
         state[:, 3:] = self.pre_kick_velocity
         self._batch.set_state(state)
         change = np.where(hit[:, None], onwards - acceleration, 0.0)
@@ -161,15 +161,15 @@ class ImpactLocator:
         before, after = (np.where(struck, acceleration, 0.0) for acceleration in pulls)
         less = before * before - after * after
         self._reading_shift = float(np.sum(self._inertia * less)) * half * half / 2
-        self._extra_momentum += self._given(path, self._dt, path.struck)
-        for acceleration, place in zip((before, after), places, strict=True):
-            self._extra_momentum -= momentum(self._inertia * acceleration * half, place)
+        self._extra_momentum += self._added_momentum(path, self._dt, path.struck)
+        for acceleration, pose in zip((before, after), places, strict=True):
+            self._extra_momentum -= momentum(self._inertia * acceleration * half, pose)
 
-    def _given(self, path: Path, t: float, bodies: Booleans) -> Array:
+    def _added_momentum(self, path: Path, t: float, bodies: Booleans) -> Array:
         """Return the momentum by accelerations of some bodies since their last impacts: (3,)."""
-        lasted = np.where(bodies, t - path.since, 0.0)[:, None]
+        lasted = np.where(bodies, t - path.start, 0.0)[:, None]
         given = self._inertia * path.acceleration * lasted
-        return momentum(given, path.place + path.velocity * (lasted / 2))
+        return momentum(given, path.pose + path.velocity * (lasted / 2))
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
         """Return the bounding boxes of shapes relative to their bodies: corners (s, 2) each."""
@@ -206,13 +206,13 @@ class ImpactLocator:
         near = list(zip(a[meet].tolist(), b[meet].tolist(), strict=True))
         return [pair for pair in near if not self._is_let(pair, start)]
 
-    def _is_let(self, pair: tuple[int, int], place: Array) -> bool:
+    def _is_let(self, pair: tuple[int, int], pose: Array) -> bool:
         """Return whether one of two shapes lets the other pass from positions, (n, 3)."""
         if self._gates is None:
             return False
         rows = [self._outlines[shape].body for shape in pair]
-        at, there = ((complex(x, y), rect(1, angle)) for x, y, angle in place[rows].tolist())
-        return self._gates.lets_at(rows[0], rows[1], at, there)
+        at, there = ((complex(x, y), rect(1, angle)) for x, y, angle in pose[rows].tolist())
+        return self._gates.lets_pass_at(rows[0], rows[1], at, there)
 
     def _acceleration(self, smooth: Array, total: Array) -> Array:
         """Return the accelerations of the last kick; for free bodies, those of the force laws.
@@ -224,14 +224,14 @@ class ImpactLocator:
         return np.where(tied[:, None], total, smooth)
 
     def _without_impacts(
-        self, acceleration: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
+        self, acceleration: Array, smooth: Array, pose: Array, velocities: tuple[Array, Array]
     ) -> None:
         """Remove the effect of pymunk's impacts in the last kick from the accelerations."""
         contacts, solid = self._batch.contacts(), self._joints.joined
-        hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
+        hit, onwards = impacts(contacts, solid, pose, *velocities, smooth, self._mass, self._dt)
         acceleration[hit] = onwards
 
-    def _follow(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
+    def _solve_in_order(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
         """Solve one impact after the other until the drift is over."""
         hits = self._hits(path, near, 0.0, adds)
         tally = Tally(self._collision.restitution, self._mass > 0, self._dt)
@@ -241,17 +241,17 @@ class ImpactLocator:
             time, struck = groups[0][0].time, np.zeros_like(path.struck)
             for group in groups:
                 struck |= self._collide(path, group, tally)
-            place, end = path.place_at(time), path.place_at(self._dt)
+            pose, end = path.pose_at(time), path.pose_at(self._dt)
             bend = np.abs(path.acceleration) * (self._dt - time) ** 2
             moved = set(np.flatnonzero(struck).tolist())
             hits = [hit for hit in hits if moved.isdisjoint(hit.bodies)]
-            hits += self._hits(path, self._near(place, end, bend, struck), time, adds)
+            hits += self._hits(path, self._near(pose, end, bend, struck), time, adds)
 
     def _around(self, path: Path, group: list[Hit]) -> list[Hit]:
         """Return all contacts that are connected to a group of hits, directly or through others."""
         time, shapes = group[0].time, self._outlines
-        place = path.place_at(time)
-        near = self._near(place, place, np.zeros_like(place))
+        pose = path.pose_at(time)
+        near = self._near(pose, pose, np.zeros_like(pose))
         found = (touching(path, shapes[a], shapes[b], time) for a, b in near)
         return self._turns.linked(group, [hit for hit in found if hit])
 
@@ -271,7 +271,7 @@ class ImpactLocator:
         time, around = group[0].time, self._around(path, group) if tally.count(group) else []
         dead = bool(around) and tally.gentle(around)
         bounce = self._collision.respond(path, around if dead else group, dead=dead)
-        self._extra_momentum += self._given(path, time, bounce.struck)
+        self._extra_momentum += self._added_momentum(path, time, bounce.struck)
         path.turn(time, bounce.jump, bounce.struck)
         path.acceleration += bounce.acceleration_change
         self.impacts += bounce.impacts

@@ -16,7 +16,7 @@ WEAKER = 1e-6
 class SlipState(NamedTuple):
     """The k contacts of a kick of n bodies."""
 
-    place: Array
+    pose: Array
     """(n, 3), the positions of the bodies [m, rad]."""
     slips: Slips
     """The slips of the contacts."""
@@ -55,8 +55,8 @@ class SlipDetector:
         The directions are those of the velocities with which bodies came to the step: pymunk lets a
         slip end for the whole kick, and that makes other contacts slip after it.
         """
-        contacts, place = self._batch.contacts(), self._batch.state()[:, :3]
-        slips, adds = Slips.of(contacts, place, self._onwards.running), acceleration * self._dt
+        contacts, pose = self._batch.contacts(), self._batch.state()[:, :3]
+        slips, adds = Slips.of(contacts, pose, self._onwards.running), acceleration * self._dt
         sense = self._onwards.sense(slips, contacts, came, adds)
         named = (sense != 0) & self._named[slips.bodies].any(axis=1)
         most = self._coefficients[contacts.bodies[:, 0], contacts.bodies[:, 1]] * contacts.normal
@@ -66,7 +66,7 @@ class SlipDetector:
             half_on = self._onwards.sense(slips, contacts, velocity + adds / 2, adds)
             weakened |= ends & (half_on != sense)
         steps = self.time_to_stop(slips, sense, velocity, adds)
-        return SlipState(place, slips, sense, ends, weakened, float(steps.min()))
+        return SlipState(pose, slips, sense, ends, weakened, float(steps.min()))
 
     def ends(
         self, slips: Slips, sense: Array, contacts: Contacts, velocity: Array, adds: Array

@@ -26,7 +26,7 @@ from sandbox.physics.contacts.impacts.impact_step_velocity import impacts, reach
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.events.post_event_accelerations import ContinuationSolver
 from sandbox.physics.events.slip_end_detection import SlipDetector
-from sandbox.physics.events.slip_work import Phase, SlipEntries, Slips, booked
+from sandbox.physics.events.slip_work import Phase, SlipEntries, Slips, slip_entries
 from sandbox.physics.scene.scene import Scene
 
 MOST = 100
@@ -105,8 +105,8 @@ class SlipEndLocator:
 
     def detect(self) -> None:
         """Check whether slipping ends in the coming drift; take the last kick again if so."""
-        begun, after = self._next, self._batch.velocity()
-        self.pre_kick_velocity, self._next, change = begun, after, after - begun
+        velocity_before, after = self._next, self._batch.velocity()
+        self.pre_kick_velocity, self._next, change = velocity_before, after, after - velocity_before
         self.kicked = self._due = None
         if self._quiet:
             self._quiet -= 1
@@ -121,10 +121,10 @@ class SlipEndLocator:
         self._onwards.adds = np.abs(smooth) * self._dt
         acceleration = change / self._dt
         until = acceleration if self._acceleration is None else self._acceleration
-        came = begun + until * (self._dt / 2)
-        self._acceleration = self._detect(begun, came, acceleration, self._dt)
+        step_velocity = velocity_before + until * (self._dt / 2)
+        self._acceleration = self._detect(velocity_before, step_velocity, acceleration, self._dt)
         if self._acceleration is not acceleration:
-            self._next = begun + self._acceleration * self._dt
+            self._next = velocity_before + self._acceleration * self._dt
             self._batch.set_velocity(self._next)
 
     def _struck(self, smooth: Array) -> bool:
@@ -132,23 +132,25 @@ class SlipEndLocator:
         contacts, solid = self._batch.contacts(), self._scene.joints.joined
         if not contacts.first.any():
             return False
-        place, mass = self._batch.state()[:, :3], self._scene.mass
+        pose, mass = self._batch.state()[:, :3], self._scene.mass
         hit, _ = impacts(
-            contacts, solid, place, self.pre_kick_velocity, self._next, smooth, mass, self._dt
+            contacts, solid, pose, self.pre_kick_velocity, self._next, smooth, mass, self._dt
         )
         return bool(len(hit))
 
-    def _detect(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
+    def _detect(
+        self, velocity_before: Array, step_velocity: Array, acceleration: Array, length: float
+    ) -> Array:
         """Check whether slipping ends, and return the accelerations until it does.
 
-        `begun` and `came`, (n, 3), are the velocities at the beginning of the kick, and those at
-        the step, from the accelerations until then. The kick's `length` [s] is a step, or half a
-        step if it began at the step.
+        `velocity_before` and `step_velocity`, (n, 3), are the velocities at the beginning of the
+        kick, and those at the step, from the accelerations until then. The kick's `length` [s] is a
+        step, or half a step if it began at the step.
         """
         if not len(self._batch.contacts().bodies):
             return acceleration
-        velocity = begun + acceleration * (length - self._dt / 2)
-        seen = self._lookout.detect(came, velocity, acceleration)
+        velocity = velocity_before + acceleration * (length - self._dt / 2)
+        seen = self._lookout.detect(step_velocity, velocity, acceleration)
         if not seen.ends.any():
             if (self._ground == self._ground[:1]).all():  # all the ground moves alike
                 self._quiet = int(min(max(seen.steps - 2, 0) / 2, FAR))
@@ -156,45 +158,47 @@ class SlipEndLocator:
             return acceleration
         contacts = self._batch.contacts()
         tied = (self._island(seen.slips, seen.ends) & self._tied).any()
-        if tied or self._onwards.is_approaching(contacts, seen.place, velocity, self._dt):
+        if tied or self._onwards.is_approaching(contacts, seen.pose, velocity, self._dt):
             return acceleration
         if seen.weakened.any():
-            return self._retake_slipping(begun, came, acceleration, length)
+            return self._retake_slipping(velocity_before, step_velocity, acceleration, length)
         forces = contacts.scaled(1 / length)
-        part = Phase(self._dt, seen.place, velocity, acceleration, forces)
+        part = Phase(self._dt, seen.pose, velocity, acceleration, forces)
         self._due = part, seen.slips, seen.sense
         return acceleration
 
     def _retake_slipping(
-        self, begun: Array, came: Array, acceleration: Array, length: float
+        self, velocity_before: Array, step_velocity: Array, acceleration: Array, length: float
     ) -> Array:
         """Take the last kick again with everything still slipping; see `_detect`."""
         after, memory, since = self._batch.velocity(), self._onwards.memory(), length - self._dt / 2
-        settled = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
-        seen = self._lookout.detect(came, begun + settled * since, settled)
+        settled = (
+            self._onwards.settled(0.0, velocity_before, length, self._dt) - velocity_before
+        ) / length
+        seen = self._lookout.detect(step_velocity, velocity_before + settled * since, settled)
         slips, sense = seen.slips, seen.sense
-        found = self._onwards.solve(seen.place, begun, 0.0, self._dt / 2, slips, sense)
-        self._onwards.recall(memory)
+        found = self._onwards.solve(seen.pose, velocity_before, 0.0, self._dt / 2, slips, sense)
+        self._onwards.restore(memory)
         self._batch.set_velocity(after)
         if found and seen.weakened.any():
             island = self._island(slips, seen.weakened)
             slipping = np.where(island[:, None], found.acceleration, acceleration)
-            velocity = begun + slipping * since
+            velocity = velocity_before + slipping * since
             over = -LATE * np.abs(slips.change(slipping)) * self._dt
             if (sense * slips.speed(velocity) >= over)[seen.weakened].all():
                 self.kicked = found.forces.scaled(length)
-                part = Phase(self._dt, seen.place, velocity, slipping, found.forces)
+                part = Phase(self._dt, seen.pose, velocity, slipping, found.forces)
                 self._due = part, slips, sense
                 return slipping
-        self._onwards.settled(0.0, begun, length, self._dt)  # for pymunk's warm start
-        self._onwards.recall(memory)
+        self._onwards.settled(0.0, velocity_before, length, self._dt)  # for pymunk's warm start
+        self._onwards.restore(memory)
         self._batch.set_velocity(after)
         return acceleration
 
-    def drop(self, begun: Array) -> None:
+    def drop(self, velocity_before: Array) -> None:
         """Leave the coming drift to an impact; the next kick then begins with velocities (n, 3)."""
         self._due = self.last = self._acceleration = None
-        self._next, self._quiet = begun, 0
+        self._next, self._quiet = velocity_before, 0
 
     def cut(self) -> Cut | None:
         """Let slipping end in the coming drift; return the outcome, None if none ends."""
@@ -204,17 +208,19 @@ class SlipEndLocator:
         state, memory = self._batch.state(), self._onwards.memory()
         smooth = self._smooth()
         phases, moved = self._follow(*due, state)
-        place, begun = state[:, :3], state[:, 3:]
+        pose, velocity_before = state[:, :3], state[:, 3:]
         if len(phases) > 1:
-            self.last = booked(phases, self._scene.inertia, smooth, self._onwards.running, self._dt)
+            self.last = slip_entries(
+                phases, self._scene.inertia, smooth, self._onwards.running, self._dt
+            )
             ends, _ = phases[-1].at(phases[-1].duration)
-            begun = np.where(moved[:, None], self.last.pre_kick_velocity, begun)
-            place = np.where(moved[:, None], ends - begun * self._dt, place)
-        self._onwards.settled(1.0, begun, self._dt, self._dt)  # for pymunk's warm start
-        self._onwards.recall({p: known for p, known in memory.items() if not moved[[*p]].any()})
-        self._batch.set_state(np.concatenate((place, begun), axis=1))
-        self._next, self._acceleration = begun, phases[-1].acceleration
-        return Cut(begun, phases[-1].acceleration) if self.last else None
+            velocity_before = np.where(moved[:, None], self.last.pre_kick_velocity, velocity_before)
+            pose = np.where(moved[:, None], ends - velocity_before * self._dt, pose)
+        self._onwards.settled(1.0, velocity_before, self._dt, self._dt)  # for pymunk's warm start
+        self._onwards.restore({p: known for p, known in memory.items() if not moved[[*p]].any()})
+        self._batch.set_state(np.concatenate((pose, velocity_before), axis=1))
+        self._next, self._acceleration = velocity_before, phases[-1].acceleration
+        return Cut(velocity_before, phases[-1].acceleration) if self.last else None
 
     def _follow(
         self, part: Phase, slips: Slips, sense: Array, state: Array
@@ -229,11 +235,11 @@ class SlipEndLocator:
                 break
             wait = self._lookout.time_to_stop(slips, sense, part.velocity, part.acceleration)
             first = min(float(wait.min()), part.duration)
-            place, velocity = part.at(first)
+            pose, velocity = part.at(first)
             still = self._onwards.sense(slips, part.forces, velocity, adds)
             still[wait <= first] = 0.0
             island = self._island(slips, (sense != 0) & (still == 0))
-            here = np.where((moved | island | kinematic)[:, None], place, state[:, :3])
+            here = np.where((moved | island | kinematic)[:, None], pose, state[:, :3])
             left = part.duration - first
             ahead, longest = 1 - left / self._dt, self._dt / 2
             found = self._onwards.solve(here, velocity, ahead, longest, slips, still)
@@ -241,7 +247,7 @@ class SlipEndLocator:
                 break
             phases.append(part._replace(duration=first))
             acceleration = np.where(island[:, None], found.acceleration, part.acceleration)
-            part = Phase(left, place, velocity, acceleration, found.forces)
+            part = Phase(left, pose, velocity, acceleration, found.forces)
             slips, sense, moved = found.slips, found.sense, moved | island
         return [*phases, part], moved
 

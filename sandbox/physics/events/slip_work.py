@@ -31,14 +31,14 @@ class Slips(NamedTuple):
     """(k,), the approximate distance from the origin [m]."""
 
     @classmethod
-    def of(cls, contacts: Contacts, place: Array, running: Array) -> "Slips":
+    def of(cls, contacts: Contacts, pose: Array, running: Array) -> "Slips":
         """Return the slips of a kick's contacts.
 
-        `place`, (n, 3), are the positions of the bodies [m, rad], and `running`, (n, 2), the
+        `pose`, (n, 3), are the positions of the bodies [m, rad], and `running`, (n, 2), the
         velocities of their running surfaces [m/s].
         """
         bodies, (x, y) = contacts.bodies, contacts.direction.T
-        arm = contacts.on_surfaces(contacts.points[:, 0]) - place[bodies, :2]
+        arm = contacts.on_surfaces(contacts.points[:, 0]) - pose[bodies, :2]
         way = pair_jacobian(arm, np.stack((-y, x), axis=1))
         runs = np.einsum("kbc,kbc->k", way[..., :2], running[bodies])
         return cls(bodies, way, runs, np.abs(contacts.points[:, 0]).sum(axis=1))
@@ -73,7 +73,7 @@ class Phase(NamedTuple):
 
     duration: float
     """Its duration [s]."""
-    place: Array
+    pose: Array
     """(n, 3), the positions at its start [m, rad]."""
     velocity: Array
     """(n, 3), the velocities at its start [m/s, rad/s]."""
@@ -85,7 +85,7 @@ class Phase(NamedTuple):
     def at(self, time: float) -> tuple[Array, Array]:
         """Return positions and velocities at a time after its start [s]."""
         velocity = self.velocity + self.acceleration * time
-        return self.place + (self.velocity + velocity) * (time / 2), velocity
+        return self.pose + (self.velocity + velocity) * (time / 2), velocity
 
 
 class SlipEntries(NamedTuple):
@@ -111,7 +111,7 @@ class SlipEntries(NamedTuple):
     """(3,), the momentum and angular momentum beyond the two halves [kg m/s, kg m²/s]."""
 
 
-def booked(
+def slip_entries(
     phases: Sequence[Phase], inertia: Array, smooth: Array, running: Array, dt: float
 ) -> SlipEntries:
     """Return the entries for the books from a drift of several phases, of length dt [s].
@@ -122,37 +122,40 @@ def booked(
     running surfaces [m/s].
     """
     first, last, half = phases[0], phases[-1], dt / 2
-    place, velocity = last.at(last.duration)
+    pose, velocity = last.at(last.duration)
     begun = velocity - last.acceleration * half
     halves = (
         first._replace(duration=half),
-        last._replace(duration=half, place=place - velocity * half, velocity=begun),
+        last._replace(duration=half, pose=pose - velocity * half, velocity=begun),
     )
-    (rubbed, works), given = rubbed_beyond(phases, halves, inertia, running), np.zeros(3)
+    (friction_work, works), added = (
+        friction_work_beyond(phases, halves, inertia, running),
+        np.zeros(3),
+    )
     for part in phases:
-        middle = part.place + part.velocity * (part.duration / 2)
-        given += momentum(inertia * part.acceleration * part.duration, middle)
-    given -= momentum(inertia * first.acceleration * half, first.place)
-    given -= momentum(inertia * last.acceleration * half, place)
+        middle = part.pose + part.velocity * (part.duration / 2)
+        added += momentum(inertia * part.acceleration * part.duration, middle)
+    added -= momentum(inertia * first.acceleration * half, first.pose)
+    added -= momentum(inertia * last.acceleration * half, pose)
     ways = sum(part.velocity * half + part.acceleration * (half * half / 2) for part in halves)
     change = first.acceleration - last.acceleration
     lifted = float(np.sum(inertia * smooth * change)) * half * half / 2
-    return SlipEntries(begun, rubbed, works, place - first.place - ways, lifted, given)
+    return SlipEntries(begun, friction_work, works, pose - first.pose - ways, lifted, added)
 
 
-def rubbed_beyond(
+def friction_work_beyond(
     phases: Sequence[Phase], halves: Sequence[Phase], inertia: Array, running: Array
 ) -> tuple[float, dict[str, float]]:
     """Return the work of friction in phases beyond that in the halves of two kicks [J].
 
-    Also that of belts and kinematic bodies; see `booked`.
+    Also that of belts and kinematic bodies; see `slip_entries`.
     """
-    rubbed, works = 0.0, {"bodies": 0.0, "belt": 0.0}
+    friction_work, works = 0.0, {"bodies": 0.0, "belt": 0.0}
     for sign, parts in ((1, phases), (-1, halves)):
         for part in parts:
             mean = part.velocity + part.acceleration * (part.duration / 2)
             forces = part.forces.scaled(part.duration)
-            work, drives = contact_friction_work(forces, part.place[:, :2], mean, inertia, running)
-            rubbed += sign * work
+            work, drives = contact_friction_work(forces, part.pose[:, :2], mean, inertia, running)
+            friction_work += sign * work
             works = {name: works[name] + sign * drives[name] for name in works}
-    return rubbed, works
+    return friction_work, works

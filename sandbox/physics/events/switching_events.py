@@ -15,7 +15,7 @@ import numpy as np
 from sandbox.model.events import Crossing
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
-from sandbox.physics.events.slip_work import Phase, rubbed_beyond
+from sandbox.physics.events.slip_work import Phase, friction_work_beyond
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import damps
 from sandbox.physics.state.motion import Instant, momentum
@@ -40,7 +40,7 @@ class Part(NamedTuple):
     """Its start time [s]."""
     duration: float
     """Its duration [s]."""
-    place: Array
+    pose: Array
     """(n, 3), the positions at its start [m, rad]."""
     velocity: Array
     """(n, 3), the velocities at its start [m/s, rad/s]."""
@@ -54,7 +54,7 @@ class Part(NamedTuple):
     @property
     def phase(self) -> Phase:
         """The same, for the work of friction."""
-        return Phase(self.duration, self.place, self.velocity, self.acceleration, self.forces)
+        return Phase(self.duration, self.pose, self.velocity, self.acceleration, self.forces)
 
     def at(self, time: float) -> Instant:
         """Return the motion at a time after its start [s]."""
@@ -63,7 +63,7 @@ class Part(NamedTuple):
     def state(self, time: float) -> tuple[Array, Array]:
         """Return positions and velocities at a time after its start [s]: (n, 3) each."""
         velocity = self.velocity + self.acceleration * time
-        return self.place + (self.velocity + velocity) * (time / 2), velocity
+        return self.pose + (self.velocity + velocity) * (time / 2), velocity
 
 
 class EventEntries(NamedTuple):
@@ -108,18 +108,18 @@ def crosses(crossing: Crossing, before: float, now: float) -> bool:
     return {"up": rises, "down": falls, "either": rises or falls}[crossing.direction]
 
 
-def within(value: Callable[[float], float], crossing: Crossing, lasts: float) -> float:
-    """Return the time until a quantity crosses a value, at most `lasts` [s]."""
+def within(value: Callable[[float], float], crossing: Crossing, duration: float) -> float:
+    """Return the time until a quantity crosses a value, at most `duration` [s]."""
 
     def beyond(time: float) -> float:
         reading = value(time)
         return (abs(reading) if crossing.direction == "beyond" else reading) - crossing.value
 
     sign = np.sign(beyond(0.0))
-    return since(lambda time: not sign * beyond(time) > 0, 0.0, lasts)
+    return first_time(lambda time: not sign * beyond(time) > 0, 0.0, duration)
 
 
-def since(holds: Callable[[float], bool], low: float, high: float) -> float:
+def first_time(holds: Callable[[float], bool], low: float, high: float) -> float:
     """Return when a condition begins to hold, given a time before and a time after that [s]."""
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
@@ -145,14 +145,12 @@ def entries_of(
     the velocities of running surfaces [m/s], and `switched` is the jump of the stored energy [J].
     """
     first, last, half = parts[0], parts[-1], dt / 2
-    end, (place, velocity) = last.at(last.duration), last.state(last.duration)
+    end, (pose, velocity) = last.at(last.duration), last.state(last.duration)
     begun = velocity - last.acceleration * half
-    before = last._replace(duration=half, place=place - velocity * half, velocity=begun)
+    before = last._replace(duration=half, pose=pose - velocity * half, velocity=begun)
+    full = (_Share(1.0, p, p.at(p.force_delay), p.at(p.duration / 2)) for p in parts)
     every = (
-        *(
-            _Share(1.0, part, part.at(part.force_delay), part.at(part.duration / 2))
-            for part in parts
-        ),
+        *full,
         _Share(-1.0, first._replace(duration=half), first.at(0.0), first.at(0.0)),
         _Share(-1.0, before, last.at(last.force_delay), end),
     )
@@ -160,8 +158,8 @@ def entries_of(
     def work(law: Law) -> float:
         return sum(share.work(law, inertia) for share in every)
 
-    worked = [work(law) - (work(replace(law, damping=0.0)) if damps(law) else 0.0) for law in laws]
-    pushed = [sum((share.push(law, inertia) for share in every), np.zeros(3)) for law in laws]
+    works = [work(law) - (work(replace(law, damping=0.0)) if damps(law) else 0.0) for law in laws]
+    momenta = [sum((share.push(law, inertia) for share in every), np.zeros(3)) for law in laws]
     given = sum((share.given(inertia) for share in every), np.zeros(3))
     storing = [law for law in laws if law.effect.book == "potential"]
 
@@ -169,12 +167,11 @@ def entries_of(
         forces = (_wrench(law, part.at(part.force_delay), inertia) for law in storing)
         return float(np.sum(sum(forces, np.zeros_like(inertia)) * part.acceleration))
 
-    lifted = (raised(first) - raised(last)) * half * half / 2
+    shift = (raised(first) - raised(last)) * half * half / 2
     halves = first._replace(duration=half).phase, before.phase
-    rubbed, rubs = rubbed_beyond([part.phase for part in parts], halves, inertia, running)
-    return EventEntries(
-        begun, switched, worked, pushed, given, lifted, friction_work=rubbed, belt_works=rubs
-    )
+    works_beyond = friction_work_beyond([part.phase for part in parts], halves, inertia, running)
+    entries = EventEntries(begun, switched, works, momenta, given, shift)
+    return entries._replace(friction_work=works_beyond[0], belt_works=works_beyond[1])
 
 
 def entries_at_step(begun: Array, laws: Sequence[Law], switched: float) -> EventEntries:
@@ -225,7 +222,7 @@ def _wrench(law: Law, motion: Instant, inertia: Array) -> Array:
     return np.where(inertia > 0, wrench, 0.0)
 
 
-def stored(laws: Sequence[Law], motion: Instant) -> float:
+def stored_energy(laws: Sequence[Law], motion: Instant) -> float:
     """Return the potential energy that laws store [J]."""
     stores = (law for law in laws if law.effect.book == "potential")
     return sum(float(law.potential_energy(motion).sum()) for law in stores)

@@ -157,7 +157,7 @@ class _Assembly:
         together = self._joints.together
         assert together
         ends = Anchor(self._index[a]), Anchor(self._index[b])
-        together.add(*self._equations.weld(f"{a} and {b}", *ends, together.place()))
+        together.add(*self._equations.weld(f"{a} and {b}", *ends, together.pose()))
 
     def _solved(self, name: str) -> Solved:
         """Return the model of a joint that is not a spring."""
@@ -172,7 +172,7 @@ class _Assembly:
         """
         joints, together = self._joints, self._joints.together
         assert together
-        start = together.place()
+        start = together.pose()
         rows: list[Row] = []
         others: list[Equation] = []
         for name in names:

@@ -111,11 +111,11 @@ class PulleyString:
         unit_a, unit_b = self._inverse  # a fixed end needs no direction: it may lie on its peg
         reply_a, reply_b = unit_a and unit_a / far_a, unit_b and unit_b / far_b
         px, py, qx, qy = reply_a * ax, reply_a * ay, reply_b * bx, reply_b * by
-        h, lasts, warm, close = kick.drift, kick.length, self._warm_start, self._close
-        off, least = far_a + far_b - self._free_length, -warm * lasts
+        h, duration, warm, close = kick.drift, kick.length, self._warm_start, self._close
+        off, least = far_a + far_b - self._free_length, -warm * duration
         if -self._rounding <= off <= self._rounding:
             off *= SHARE
-        impulse = self.tension * lasts + least
+        impulse = self.tension * duration + least
         for _ in range(MAX_ITERATIONS):
             # the displacements of both ends, and their arms after the drift
             dax, day = h * (ux - impulse * px), h * (uy - impulse * py)
@@ -140,7 +140,7 @@ class PulleyString:
         if impulse:
             change = self._pair.set_velocity
             change(ux - impulse * px, uy - impulse * py, vx - impulse * qx, vy - impulse * qy)
-        self.tension, self._warm_start = warm + impulse / lasts, 0.0
+        self.tension, self._warm_start = warm + impulse / duration, 0.0
 
 
 def _inverse_mass(body: pymunk.Body) -> float:

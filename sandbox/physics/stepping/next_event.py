@@ -148,7 +148,7 @@ class EventFinder:
 
     def _snapshot(self, part: Part, time: float, growth: list[Array]) -> Snapshot:
         """Return the state at a time after the start of a part, with extrapolated forces."""
-        motion, no_forces = part.at(time), np.zeros(len(part.place))
+        motion, no_forces = part.at(time), np.zeros(len(part.pose))
         tension, torque = self._joint_forces()
         return Snapshot(
             *motion,

@@ -309,7 +309,7 @@ def test_forces_where_joints_were_looked_at_last_need_no_other_look(
     rods = {name: {"type": "rod", "ends": both} for name, both in ends.items()}
     joints = build(level(bodies, GRAVITY, joints=rods)).scene.joints.together
     assert joints
-    pulls, place, looks = np.array([2.0, 3.0]), joints.place(), [0]
+    pulls, place, looks = np.array([2.0, 3.0]), joints.pose(), [0]
     first, look = joints.wrenches(pulls, place), joints.evaluate
 
     def counted(at: Coordinates) -> Rows:

@@ -52,7 +52,7 @@ def touched(
             continue
         if shape.body is not None and not meets(shape.body, hit.shape.body):
             continue
-        if gates and shape.body is not None and gates.lets(shape.body, hit.shape.body):
+        if gates and shape.body is not None and gates.lets_pass(shape.body, hit.shape.body):
             continue
         verdict = hollows.judge(shape, hit.shape) if hollows else True
         if hollows and not isinstance(verdict, bool):
@@ -81,14 +81,14 @@ def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
     """
     body = shape.body
     assert body
-    place, depths = body.position, list[float]()
+    pose, depths = body.position, list[float]()
     for way in ((NUDGE, 0), (-NUDGE, 0), (0, NUDGE), (0, -NUDGE)):
-        body.position = place + way
+        body.position = pose + way
         shape.cache_bb()
         found = shape.shapes_collide(other)
         if found.normal != (0, 0):
             depths.append(_depth(found))
-    body.position = place
+    body.position = pose
     shape.cache_bb()
     return min(depths, default=0.0)
 
@@ -167,9 +167,9 @@ def contacts_of(found: dict[tuple[int, int], list[ShapeContact]]) -> Contacts:
     count = len(rows)
     points, depths = np.zeros((count, 2), dtype=complex), np.zeros((count, 2))
     for row, (_, contact) in enumerate(rows):
-        for place, (here, there) in enumerate(contact.points):
-            points[row, place] = (here + there) / 2
-            depths[row, place] = dot(here - there, contact.normal)
+        for pose, (here, there) in enumerate(contact.points):
+            points[row, pose] = (here + there) / 2
+            depths[row, pose] = dot(here - there, contact.normal)
     normals = np.array([contact.normal for _, contact in rows])
     return NO_CONTACTS._replace(
         bodies=np.array([pair for pair, _ in rows], dtype=np.intp),

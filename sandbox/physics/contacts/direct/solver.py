@@ -78,9 +78,9 @@ class DirectSolver:
         self._calm = ImpactOutcome.none(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
-        self._known, self._pulls = WarmStart(), Pulls()
+        self._warm, self._pulls = WarmStart(), Pulls()
         self._crowd: Booleans | None = None  # the one that was stopped in this kick
-        self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
+        self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._warm)
         self._speculative = SpeculativeContacts(query, surfaces, self._moves)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
@@ -130,7 +130,7 @@ class DirectSolver:
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
-            self._known.forget()
+            self._warm.forget()
             self._solved = None
             self._solve_joints(until)
         self._pulls.note(self._joints)
@@ -176,7 +176,7 @@ class DirectSolver:
 
     def _begin_anew(self) -> None:
         """Forget the last kick and the drift after it."""
-        self._known.forget()
+        self._warm.forget()
         self.drifts.forget()
         self._change, self._crowd = self._calm.jump, None
 
@@ -196,7 +196,7 @@ class DirectSolver:
         start = self._beginning()
         kick = self._build.corrected(start.velocity * self._dt)
         try:
-            taken = solve_kick(kick, start, self._known)
+            taken = solve_kick(kick, start, self._warm)
         except (JointFailure, NoForces) as whole:
             if not self._divides(kick):
                 if isinstance(whole, NoForces):
@@ -208,24 +208,24 @@ class DirectSolver:
                 raise (whole if isinstance(whole, JointFailure) else last) from None
             return
         smooth = self._is_whole and not taken.impacts
-        loose = with_breakaway(kick, taken.active.slip, self._known.last_two) if smooth else None
-        taken = solve_kick(loose, start, self._known) if loose else taken
-        self._keep(self._closed(taken, start), start)
+        loose = with_breakaway(kick, taken.active.slip, self._warm.last_two) if smooth else None
+        taken = solve_kick(loose, start, self._warm) if loose else taken
+        self._keep(self._close_corners(taken, start), start)
 
     def _keep(self, taken: KickResult, start: KickStart) -> None:
         """Set the velocities after a kick, and remember it."""
         leaning = taken.kick.with_tilt_friction(taken.velocity, taken.forces)
         if leaning is not None:
-            taken = solve_kick(leaning, start, self._known)
+            taken = solve_kick(leaning, start, self._warm)
         self.last, self.stages, self._taken = taken.impacts or self._calm, taken.stages, taken
         self._batch.set_velocity(taken.velocity[self._order])
-        self._known.note(taken.kick, taken.forces, taken.active)
+        self._warm.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.impulse, taken.active)
 
-    def _closed(self, taken: KickResult, start: KickStart) -> KickResult:
+    def _close_corners(self, taken: KickResult, start: KickStart) -> KickResult:
         """Return a kick after which slow corners have come down; see `close_slow_corners`."""
-        look, build, known, locates = self._speculative, self._build, self._known, self._locates
-        laws, again = start.acceleration, lambda _, kick: solve_kick(kick, start, known)
+        look, build, warm, locates = self._speculative, self._build, self._warm, self._locates
+        laws, again = start.acceleration, lambda _, kick: solve_kick(kick, start, warm)
         taken, strikes = close_slow_corners(taken, look, build, laws, again, locates=locates)
         return taken._replace(strikes=True) if strikes else taken
 
@@ -246,14 +246,14 @@ class DirectSolver:
 
     def _divide(self, kick: Kick, start: KickStart) -> None:
         """Take the drift after a kick in parts, and set its mean velocities."""
-        takes = partial(solve_kick, start=start, known=self._known)
+        takes = partial(solve_kick, start=start, warm_start=self._warm)
         found = through(kick, start.acceleration, self._until, takes)
         first = found.first
         self.last = first.impacts or self._calm
         mean = found.displacement[self._order] / self._joints.drift
         self.drifts.divide(found.drift_record(self._batch.state()[:, :3], self._order), mean)
         self._batch.set_velocity(mean)
-        self._known.note(first.kick, first.forces, first.active)
+        self._warm.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.full_impulse, first.active)
 
     def _land(self, until: float, stopped: Booleans | None = None) -> CutDrift | None:
@@ -265,15 +265,15 @@ class DirectSolver:
         if not (self._locates and (self._meets or pulls)):
             return None
         taken, look = self._taken, self._speculative
-        place, motion = taken.coordinates if taken else self._joints.coordinates()
+        pose, motion = taken.coordinates if taken else self._joints.coordinates()
         way = self._dt * motion.values
         ends = taken and (
             taken.strikes or taken.flat or look.ends.passing(taken.kick, way, taken.forces)
         )
-        lands = ends or look.approaching.near(self._build.contacts, place, way)
+        lands = ends or look.approaching.near(self._build.contacts, pose, way)
         if not (lands or pulls or (taken and taken.slides)):
             return None
-        whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
+        whole, (laws,) = self._whole(pose, motion.values), self._spread(self._acceleration)
         catches = pulls and caught(whole).any()
         if not (lands or catches or len(slip_ends(whole, laws))):
             return None
@@ -282,7 +282,7 @@ class DirectSolver:
             self._stop(whole.kick, self._crowd)
             return self._land(until, self._crowd)
         landings = DriftCutter(look, self._build, laws, until, driven=driven, stopped=calm)
-        parts = landings.follow(whole)
+        parts = landings.cut_at_landings(whole)
         if landings.crowd.any():
             self._crowd = landings.crowd | calm
             self._stop(whole.kick, self._crowd)
@@ -297,25 +297,25 @@ class DirectSolver:
         self.drifts.divide(divided, mean)
         self.drifts.land(landings.record)
         self._batch.set_velocity(mean)
-        self._known.note(last.kick, last.later_forces, last.active)
+        self._warm.note(last.kick, last.later_forces, last.active)
         return landed
 
     def _stop(self, kick: Kick, crowded: Booleans) -> None:
         """Let what would land in a crowd, (n,), come to touch after a kick, and go no further."""
-        start, known, look, build = self._beginning(), self._known, self._speculative, self._build
+        start, known, look, build = self._beginning(), self._warm, self._speculative, self._build
         taken = self._taken or solve_kick(kick, start, known)
         found = stopped(taken, crowded, look, build, lambda _, kick: solve_kick(kick, start, known))
         self._keep(found[0], start)
 
-    def _whole(self, place: Coordinates, moved: Array) -> DriftPart:
+    def _whole(self, pose: Coordinates, moved: Array) -> DriftPart:
         """Return the drift after a kick as one part, with velocities (3 N,)."""
         dt, joints = self._dt, self._joints
         if self._taken:
-            return DriftPart.after(self._taken, dt, moved)
+            return DriftPart.whole_drift(self._taken, dt, moved)
         begun, taut = self._spread(self._begun)[0], joints.expected()[1]
         held = Active(taut, np.zeros(0, dtype=np.intp))
-        lasts, kick = joints.kick, self._build.at(place)
-        return DriftPart(kick, dt, dt, begun, lasts, joints.tension, held, moved)
+        duration, kick = joints.kick, self._build.at(pose)
+        return DriftPart(kick, dt, dt, begun, duration, joints.tension, held, moved)
 
     def _beginning(self) -> KickStart:
         """Return the state and the forces at the beginning of this kick."""

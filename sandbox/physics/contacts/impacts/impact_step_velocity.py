@@ -23,7 +23,7 @@ MAX_HEIGHT = 10
 def impacts(
     contacts: Contacts,
     solid: Integers,
-    place: Array,
+    pose: Array,
     before: Array,
     after: Array,
     smooth: Array,
@@ -37,12 +37,12 @@ def impacts(
     floor to the next. Friction and strings after the impact are left out: the velocity has an error
     of half a step of their effect.
 
-    `solid`, (s, 2), are pairs of bodies that are welded together. `place`, (n, 3), are the
+    `solid`, (s, 2), are pairs of bodies that are welded together. `pose`, (n, 3), are the
     positions of the bodies [m, rad], `before` and `after`, (n, 3), the velocities half a step
     before and after [m/s, rad/s], and `smooth`, (n, 3), the accelerations by gravity and force
     laws [m/s², rad/s²]. `mass`, (n,), is 0 for immovable bodies [kg]; `dt` is the time step [s].
     """
-    arms = touching(contacts, place)
+    arms = touching(contacts, pose)
     gain, parting, meeting = rates_apart(contacts, arms, np.stack((smooth, after, before)))
     adds = np.abs(gain) * dt
     hits = meeting < -adds
@@ -55,14 +55,14 @@ def impacts(
     return hit, _held_up(contacts, rests, smooth, mass == 0)[hit]
 
 
-def touching(contacts: Contacts, place: Array) -> Array:
+def touching(contacts: Contacts, pose: Array) -> Array:
     """Return the lever arms of contact points: (k, 2 points, 2 bodies, 2) [m].
 
     A single contact point is repeated.
     """
     second = np.where(contacts.touches[:, None] > 1, contacts.points[:, 1], contacts.points[:, 0])
     points = np.stack((contacts.points[:, 0], second), axis=1)
-    arms: Array = points[:, :, None] - place[contacts.bodies][:, None, :, :2]
+    arms: Array = points[:, :, None] - pose[contacts.bodies][:, None, :, :2]
     return arms
 
 

@@ -123,12 +123,12 @@ class Gates:
             meeting.accept(first=False)
         return True
 
-    def lets(self, one: pymunk.Body, other: pymunk.Body) -> bool:
+    def lets_pass(self, one: pymunk.Body, other: pymunk.Body) -> bool:
         """Return whether one of two bodies lets the other pass, by positions at the last step."""
         a, b = self._row_of[one], self._row_of[other]
         return any(not self._known(pair) for pair in ((a, b), (b, a)) if pair[0] in self._gates)
 
-    def lets_at(self, one: int, other: int, at: Placed, there: Placed) -> bool:
+    def lets_pass_at(self, one: int, other: int, at: Placed, there: Placed) -> bool:
         """Return whether one of two bodies, by row, lets the other pass from given positions."""
         for pair, places in (((one, other), (at, there)), ((other, one), (there, at))):
             if pair[0] in self._gates:

@@ -65,14 +65,14 @@ class Banded:
         """Whether the band is cheaper than the full matrix."""
         return self._count >= FEWEST and self.width <= NARROW * self._count
 
-    def linearize(self, place: Coordinates) -> Linearization:
+    def linearize(self, pose: Coordinates) -> Linearization:
         """Return the values of the equations at given positions, and their Jacobian."""
-        return Linearization(*self._reaches.measure(place))
+        return Linearization(*self._reaches.measure(pose))
 
     def rates(self, linear: Linearization, motion: Array) -> Array:
         """Return the rates J v of the equations at velocities v (3 N,): (m,)."""
-        moved = linear.partials * motion[self._column]
-        return np.bincount(self._row, moved, self._count).astype(float, copy=False)
+        velocity = linear.partials * motion[self._column]
+        return np.bincount(self._row, velocity, self._count).astype(float, copy=False)
 
     def response(self, linear: Linearization, impulse: Array) -> Array:
         """Return the velocity changes M⁻¹ Jᵀ λ by impulses λ (m,): (3 N,)."""
@@ -97,7 +97,7 @@ class Banded:
 
     def hold(
         self,
-        place: Coordinates,
+        pose: Coordinates,
         motion: Coordinates,
         here: Linearization,
         length: Array,
@@ -113,8 +113,8 @@ class Banded:
         """
         impulse = guess
         for _ in range(MAX_ITERATIONS):
-            moved = motion.values - self.response(here, impulse)
-            there = self.linearize(Coordinates(place.values + drift * moved))
+            velocity = motion.values - self.response(here, impulse)
+            there = self.linearize(Coordinates(pose.values + drift * velocity))
             wrong = there.total - length
             impulse = impulse + self.solved(there, here, wrong) / drift
             if wrong.dot(wrong) <= QUADRATIC**2:

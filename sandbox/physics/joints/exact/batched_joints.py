@@ -51,13 +51,13 @@ class ManyJoints:
             setattr(self, name, getattr(self, name)[rows])
         self._past = [tension[rows] for tension in self._past]
 
-    def solve(self, place: Array, velocity: Array) -> tuple[Array, Booleans]:
+    def solve(self, pose: Array, velocity: Array) -> tuple[Array, Booleans]:
         """Return the velocities with which the joints hold through the next drift: (N, n, 3).
 
         Also return which runs must be solved alone, (N,). Positions and velocities, (N, n, 3), are
         those at the kick [m, rad, m/s, rad/s].
         """
-        here = Coordinates(self._values(place))
+        here = Coordinates(self._values(pose))
         planes(here.values)[:, :-1] -= self._origin
         motion = self._values(velocity)
         response = self._reaches.evaluate(here).jacobian * self._inverse[:, None]
@@ -69,14 +69,14 @@ class ManyJoints:
         self._past = [impulse / self._step, *self._past[:2]]
         return moved[:, self._order], lost | gained
 
-    def _newton(self, place: Array, motion: Array, response: Array) -> tuple[Array, Booleans]:
+    def _newton(self, pose: Array, motion: Array, response: Array) -> tuple[Array, Booleans]:
         """Return the impulses, (N, m), and which runs did not converge."""
         impulse, h = parabola(self._past) * self._step, self._step
-        seeking = np.ones(len(place), dtype=bool)
+        seeking = np.ones(len(pose), dtype=bool)
         across = response.swapaxes(1, 2)
         for _ in range(MAX_ITERATIONS):
             moved = motion - _times(impulse, response)
-            there = self._reaches.evaluate(Coordinates(place + h * moved))
+            there = self._reaches.evaluate(Coordinates(pose + h * moved))
             violation = there.total - self._length
             better = impulse + _solved(there.jacobian @ across, violation) / h
             impulse = better if seeking.all() else np.where(seeking[:, None], better, impulse)

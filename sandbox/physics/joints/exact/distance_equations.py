@@ -76,24 +76,24 @@ class Reaches:
         row, column = np.divmod(self._into, self._shape[1])
         return row, column
 
-    def evaluate(self, place: Coordinates) -> Rows:
+    def evaluate(self, pose: Coordinates) -> Rows:
         """Return the values of the rows at given positions, and their Jacobian.
 
         Positions may have leading axes, such as one of many runs.
         """
-        many = place.values.shape[:-1]
+        many = pose.values.shape[:-1]
         jacobian = np.zeros((*many, *self._shape))
         if not self._half:
             return Rows(np.zeros((*many, self._shape[0])), jacobian)
-        total, partials = self.measure(place)
+        total, partials = self.measure(pose)
         self._spread(partials, jacobian.reshape(*many, -1))
         return Rows(total, jacobian)
 
-    def measure(self, place: Coordinates) -> tuple[Array, Array]:
+    def measure(self, pose: Coordinates) -> tuple[Array, Array]:
         """Return the values of the rows at given positions, and the entries of their Jacobian."""
-        ends = place.plane.take(self._body, axis=-1)
+        ends = pose.plane.take(self._body, axis=-1)
         if self._turns:
-            arm = self._point * place.turned.take(self._body, axis=-1)
+            arm = self._point * pose.turned.take(self._body, axis=-1)
             ends += arm
             length, unit = self._measure(ends[..., self._half :] - ends[..., : self._half])
             both = np.concatenate((-unit, unit), axis=-1)

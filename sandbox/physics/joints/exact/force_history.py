@@ -78,7 +78,7 @@ class ConstraintForces(JointSystem):
 
     def _residuals(self, t: float) -> Array:
         """Return the residuals of the equations at a time [s]: (m,) [m, rad]."""
-        return np.asarray(self.evaluate(self.place()).total - self.lengths(t))
+        return np.asarray(self.evaluate(self.pose()).total - self.lengths(t))
 
     def end_added_impact(self) -> None:
         """Treat the equations added like all others: their impact is over."""
@@ -141,9 +141,9 @@ class ConstraintForces(JointSystem):
 
     def refit(self, t: float) -> None:
         """Keep the present lengths from a time on [s]."""
-        place, _ = self.coordinates()
+        pose, _ = self.coordinates()
         self.length = np.zeros_like(self.length)
-        self.length = self.evaluate(place).total - self.lengths(t)
+        self.length = self.evaluate(pose).total - self.lengths(t)
         self.tension = np.zeros_like(self.length)
         self._past = []
         self._taut = ~self._pulls_only
@@ -160,4 +160,4 @@ class ConstraintForces(JointSystem):
         """Add the joint forces of the last kick to the forces of the next: (n, 3) [N, N m]."""
         steady = self._past[0] if self._past else self.tension
         self._warm_start = steady * self.kick
-        wrench += self.wrenches(steady, self.place())
+        wrench += self.wrenches(steady, self.pose())

@@ -26,24 +26,24 @@ def motion(
     [m/s, rad/s], `smooth` the accelerations without the joints, (n, 3) [m/s², rad/s²], and `drift`
     is the duration of a drift [s].
     """
-    place, free, driven = joints.place(), coordinates_of(mean).values, coordinates_of(smooth).values
+    pose, free, driven = joints.pose(), coordinates_of(mean).values, coordinates_of(smooth).values
     if joints.band:
-        moves, accelerations, tension = _by_band(joints.band, place, free, driven, drift)
+        moves, accelerations, tension = _by_band(joints.band, pose, free, driven, drift)
     else:
-        moves, accelerations, tension = _by_matrix(joints, place, free, driven, drift)
+        moves, accelerations, tension = _by_matrix(joints, pose, free, driven, drift)
     return moves[joints.order], accelerations[joints.order], tension
 
 
 def _by_matrix(
-    joints: JointSystem, place: Coordinates, free: Array, driven: Array, drift: float
+    joints: JointSystem, pose: Coordinates, free: Array, driven: Array, drift: float
 ) -> tuple[Array, Array, Array]:
-    jacobian = joints.equations.evaluate_without_memory(place).jacobian
+    jacobian = joints.equations.evaluate_without_memory(pose).jacobian
     response = jacobian * joints.inverse
     delassus = jacobian @ response.T
     moves = free - solved(delassus, jacobian @ free) @ response
     way = MOMENT * abs(drift) * moves
     ahead, behind = (
-        joints.equations.evaluate_without_memory(Coordinates(place.values + w)) for w in (way, -way)
+        joints.equations.evaluate_without_memory(Coordinates(pose.values + w)) for w in (way, -way)
     )
     turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(drift))
     tension = solved(delassus, jacobian @ driven + turning)
@@ -51,12 +51,12 @@ def _by_matrix(
 
 
 def _by_band(
-    band: Banded, place: Coordinates, free: Array, driven: Array, drift: float
+    band: Banded, pose: Coordinates, free: Array, driven: Array, drift: float
 ) -> tuple[Array, Array, Array]:
-    here = band.linearize(place)
+    here = band.linearize(pose)
     moves = free - band.response(here, band.solved(here, here, band.rates(here, free)))
     way = MOMENT * abs(drift) * moves
-    ahead, behind = (band.linearize(Coordinates(place.values + w)) for w in (way, -way))
+    ahead, behind = (band.linearize(Coordinates(pose.values + w)) for w in (way, -way))
     turning = band.rates(ahead, moves) - band.rates(behind, moves)
     needed = band.rates(here, driven) + turning / (2 * MOMENT * abs(drift))
     tension = band.solved(here, here, needed)

@@ -62,7 +62,7 @@ class ExactJoints(ConstraintForces):
     def check(self) -> None:
         """Raise a `JointFailure` if equations are redundant, unless that was already checked."""
         if self._fresh and self._joints:
-            here = self.equations.evaluate_without_memory(self.place())
+            here = self.equations.evaluate_without_memory(self.pose())
             self._check_independent(here, here.jacobian * self.inverse, self.length)
 
     def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
@@ -110,36 +110,36 @@ class ExactJoints(ConstraintForces):
         """Solve all equations at once; return the forces along them: (m,) [N]."""
         if self.band and not self._fresh:
             return self._solve_band(self.band, until)
-        place, motion = self.coordinates()
-        here = self.evaluate(place)
+        pose, motion = self.coordinates()
+        here = self.evaluate(pose)
         response = here.jacobian * self.inverse
         length = self.lengths(until)
         if self._fresh:
             self._check_independent(here, response, length)
-        impulse, moved = self._settle(place, motion, response, length)
+        impulse, velocity = self._settle(pose, motion, response, length)
         free = motion.values + self._warm_start @ response
-        work = -(self._warm_start + impulse) * (here.jacobian @ (free + moved))
-        self.refuse_gain(free, moved, work)
-        self.batch.set_velocity(moved[self.order])
+        work = -(self._warm_start + impulse) * (here.jacobian @ (free + velocity))
+        self.refuse_gain(free, velocity, work)
+        self.batch.set_velocity(velocity[self.order])
         # exactly 0 for a slack rope: the books tell by the sign when it is caught
         return np.where(self._taut, (self._warm_start + impulse) / self.kick, 0.0)
 
     def _solve_band(self, band: Banded, until: float) -> Array:
         """Solve all equations as a band; return the forces along them: (m,) [N]."""
-        place, motion = self.coordinates()
-        here, length = band.linearize(place), self.lengths(until)
+        pose, motion = self.coordinates()
+        here, length = band.linearize(pose), self.lengths(until)
         try:
-            impulse, moved, wrong = band.hold(
-                place, motion, here, length, self._guess(), self.drift
+            impulse, velocity, wrong = band.hold(
+                pose, motion, here, length, self._guess(), self.drift
             )
         except np.linalg.LinAlgError:
             raise self.failure(0) from None
         if not wrong.dot(wrong) <= QUADRATIC**2:
             raise self.failure(int(np.argmax(np.abs(wrong))))
         free = motion.values + band.response(here, self._warm_start)
-        work = -(self._warm_start + impulse) * band.rates(here, free + moved)
-        self.refuse_gain(free, moved, work)
-        self.batch.set_velocity(moved[self.order])
+        work = -(self._warm_start + impulse) * band.rates(here, free + velocity)
+        self.refuse_gain(free, velocity, work)
+        self.batch.set_velocity(velocity[self.order])
         return (self._warm_start + impulse) / self.kick
 
     def _guess(self) -> Array:
@@ -147,7 +147,7 @@ class ExactJoints(ConstraintForces):
         past = self._past[self.parts - 1 :: self.parts]
         return (parabola(past) if past else self._cold) * self.kick - self._warm_start
 
-    def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
+    def refuse_gain(self, free: Array, velocity: Array, work: Array) -> None:
         """Refuse a kick in which joints add energy, unless lengths change or kinematic bodies move.
 
         The velocities are those without the joints' impulses, and with them, (3 N,) [m/s, rad/s];
@@ -155,31 +155,33 @@ class ExactJoints(ConstraintForces):
         joint with the most work.
         """
         rounding = self._mass * (QUADRATIC / self.drift) ** 2 / 2
-        gains = self.kinetic_energy(moved) > GROWS * self.kinetic_energy(free) + rounding
+        gains = self.kinetic_energy(velocity) > GROWS * self.kinetic_energy(free) + rounding
         if gains and not self.is_driven(free):
             raise self.failure(int(np.argmax(work)))
 
     def _settle(
-        self, place: Coordinates, motion: Coordinates, response: Array, length: Array
+        self, pose: Coordinates, motion: Coordinates, response: Array, length: Array
     ) -> tuple[Array, Array]:
         """Solve with an active set: release ropes that would push, tighten those too long."""
         guess = self._guess()
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
             start = guess if slack is None else np.where(slack, -self._warm_start, guess)
-            impulse, moved, violation = self._newton(place, motion, response, length, start, slack)
+            impulse, velocity, violation = self._newton(
+                pose, motion, response, length, start, slack
+            )
             if not self._unilateral:
-                return impulse, moved
+                return impulse, velocity
             pushes = self._pulls_only & self._taut & (self._warm_start + impulse < 0)
             stretched = ~self._taut & (violation > TAUT)
             if not (pushes.any() or stretched.any()):
-                return impulse, moved
+                return impulse, velocity
             self._taut = (self._taut & ~pushes) | stretched
         raise self.failure(int(np.argmax(self._pulls_only)))
 
     def _newton(
         self,
-        place: Coordinates,
+        pose: Coordinates,
         motion: Coordinates,
         response: Array,
         length: Array,
@@ -194,8 +196,8 @@ class ExactJoints(ConstraintForces):
         h = self.drift
         for _ in range(MAX_ITERATIONS):
             cancellation_point()
-            moved = motion.values - impulse.dot(response)
-            there = self.evaluate(Coordinates(place.values + h * moved))
+            velocity = motion.values - impulse.dot(response)
+            there = self.evaluate(Coordinates(pose.values + h * velocity))
             violation = there.total - length
             wrong, delassus = violation, there.jacobian.dot(response.T)
             if slack is not None and slack.any():

@@ -29,7 +29,7 @@ from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.events.breaking_at_impact import borne_jolt
 from sandbox.physics.events.elastic_stops import Bounces
 from sandbox.physics.events.joint_impacts import Jolt, jolt
-from sandbox.physics.events.switching_events import Part, entries_at_step, entries_of, stored
+from sandbox.physics.events.switching_events import Part, entries_at_step, entries_of, stored_energy
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.joints.joint_forces import JointForces, pulls_of
@@ -238,9 +238,9 @@ class EventStage:
         t = self._kicks.clock.after(ahead)
         scene.batch.set_state(np.concatenate((pose, velocity), axis=1))
         motion, count = Instant.at(t, pose, velocity), len(self._jolts)
-        before = stored(self._laws, motion)
+        before = stored_energy(self._laws, motion)
         act(t)
-        self._switched += stored(self._laws, motion) - before
+        self._switched += stored_energy(self._laws, motion) - before
         if self._jolts[count:]:
             velocity = self._jolts[-1].velocity_after
             scene.batch.set_velocity(velocity)
@@ -331,7 +331,7 @@ class EventStage:
         scene.joints.time(dt, dt)
         mean = start
         if landing := self._divided_drift:
-            pose, mean = last.place, (landing.end_pose - last.place) / dt
+            pose, mean = last.pose, (landing.end_pose - last.pose) / dt
             mean = np.where(landing.reached[:, None], mean, start)
         scene.batch.set_state(np.concatenate((pose, mean), axis=1))
         self._forces.restart(start - last.acceleration * dt)

@@ -43,9 +43,9 @@ def test_each_point_of_two_sides_has_its_own_side(names: tuple[str, str], leans:
     assert direct
     assert direct._taken
     kick, upper = direct._taken.kick, list(bodies).index("upper")
-    place = kick.place.values.copy()
+    place = kick.pose.values.copy()
     angle = len(place) // 3 * 2 + upper
-    off = (complex(kick.place.plane[upper]) - CORNER) * (np.exp(1j * leans) - 1)
+    off = (complex(kick.pose.plane[upper]) - CORNER) * (np.exp(1j * leans) - 1)
     place[[2 * upper, 2 * upper + 1, angle]] += off.real, off.imag, leans  # its corner comes down
     there = Coordinates(place)
     kick = direct._build.rebuilt(

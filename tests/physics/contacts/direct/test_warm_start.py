@@ -75,7 +75,7 @@ def test_contacts_keep_their_forces_where_their_bodies_change_places(
     builder, old = direct._build, taken.kick
     course = Course(old.lengths_before, old.lengths_after, old.t)
 
-    new = builder.rebuilt(old.place, change(old.contacts), course)
+    new = builder.rebuilt(old.pose, change(old.contacts), course)
     forces, active = recalled(old, taken.forces, taken.active, new)
 
     for body in (1, 2):

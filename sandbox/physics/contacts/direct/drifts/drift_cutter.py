@@ -104,7 +104,7 @@ class DriftCutter(PartSolver):
         self.crowd: Booleans = np.zeros(count, dtype=bool)
         self._begin(np.zeros(count, dtype=bool))
 
-    def follow(self, whole: DriftPart) -> list[DriftPart]:
+    def cut_at_landings(self, whole: DriftPart) -> list[DriftPart]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
         A body in a later landing has to be followed from the first one on if other bodies press on
@@ -271,15 +271,15 @@ class DriftCutter(PartSolver):
         self, shorter: DriftPart, left: float, met: FirstMeeting | None, near: Sequence[Pair]
     ) -> DriftPart:
         """Return the part after a landing, of length `left` [s]; `met` is None after a mere cut."""
-        place, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
+        pose, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
         if met:
-            down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
+            down = self._speculative.contacts(met.corners, pose, joints.origin, met.hits)
             near = [pair for pair in near if pair not in met.pairs]
         joints.time(left, left)
         course = joints.course(self._until - left, self._until)
         rest = self._meetings.overlapping(shorter, near)
-        known = shorter.kick.contacts_at(place).followed_by(rest)
-        kick = self._following(shorter, self._build.rebuilt(place, known.followed_by(down), course))
+        known = shorter.kick.contacts_at(pose).followed_by(rest)
+        kick = self._following(shorter, self._build.rebuilt(pose, known.followed_by(down), course))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self._take_in(around(kick, down.followed_by(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
@@ -292,28 +292,28 @@ class DriftCutter(PartSolver):
         after = part._replace(
             time_left=left, drift=left, start_velocity=begun, stages=stages, velocity=begun
         )
-        return self._closed(self._solved(after, left, left / 2))
+        return self._close_corners(self._solved(after, left, left / 2))
 
     def _pass(
         self, shorter: DriftPart, left: float, met: FirstMeeting, near: Sequence[Pair]
     ) -> DriftPart:
         """Return the part after contacts pass the ends of sides, of length `left` [s]."""
-        place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
+        pose, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
         joints.time(left, left)
         course = joints.course(self._until - left, self._until)
-        ended = shorter._replace(kick=shorter.kick.between(place, course))
+        ended = shorter._replace(kick=shorter.kick.between(pose, course))
         _, begun, stages = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
         beside = self._meetings.beside(ended, begun, met, near)
         after, at_ends = ends.after(ended.kick, met.passing, begun)
-        known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
+        known = shorter.kick.contacts_at(pose, [one.contact for one in met.passing])
         kick = self._build.rebuilt(
-            place, known.followed_by(beside).followed_by(after), course, at_ends
+            pose, known.followed_by(beside).followed_by(after), course, at_ends
         )
         kick = self._following(shorter, kick)
         self._take_in(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         part = DriftPart(kick, left, left, begun, left / 2, forces, active, begun, stages)
-        return self._closed(self._solved(part, left, left / 2))
+        return self._close_corners(self._solved(part, left, left / 2))
 
     def _following(self, ended: DriftPart, kick: Kick) -> Kick:
         """Return the rows where a part ends, with those that are still to close from there on."""
@@ -339,7 +339,7 @@ class DriftCutter(PartSolver):
             self.record.jerked = self.record.jerked | self.reached
         return begun, stages
 
-    def _closed(self, part: DriftPart) -> DriftPart:
+    def _close_corners(self, part: DriftPart) -> DriftPart:
         """Return a part in which corners have come down; see `close_slow_corners`."""
         return close_slow_corners(part, self._speculative, self._build, self._laws, self._again)[0]
 

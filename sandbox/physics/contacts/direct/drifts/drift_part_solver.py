@@ -40,21 +40,21 @@ class PartSolver:
         self._order = order(count)
         self.reached: Booleans = np.zeros(count, dtype=bool)
 
-    def _solved(self, part: DriftPart, drift: float, lasts: float) -> DriftPart:
+    def _solved(self, part: DriftPart, drift: float, duration: float) -> DriftPart:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.time_left
         joints.time(drift, drift)
         kick = part.kick.before_drift(joints.course(start, start + drift))
         mine, _, drive = others_of(part, self._laws, self.reached)
-        motion = part.start_velocity + lasts * drive
-        part = part._replace(kick=kick, drift=drift, kick_duration=lasts, velocity=motion)
+        motion = part.start_velocity + duration * drive
+        part = part._replace(kick=kick, drift=drift, kick_duration=duration, velocity=motion)
         if not mine.any():
             return part
         slips = mine[kick.layout.slips]
         some = replace(kick, layout=kick.layout.around(mine))
         guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
         impulse, moved, held, flat = hold(
-            some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
+            some, motion, (np.where(mine, part.forces * duration, 0.0), guess), driven=self._driven
         )
         leaning = some.with_tilt_friction(moved, impulse)
         if leaning is not None:
@@ -63,7 +63,7 @@ class PartSolver:
             kick = replace(leaning, layout=kick.layout)
         return part._replace(
             kick=kick,
-            forces=np.where(mine, impulse / lasts, part.forces),
+            forces=np.where(mine, impulse / duration, part.forces),
             active=Active(
                 np.where(mine, held.on, part.active.on),
                 np.where(slips, held.slip, part.active.slip),
@@ -91,16 +91,16 @@ class PartSolver:
 
     def _shortened(self, part: DriftPart, drift: float, near: DriftPart) -> DriftPart:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
-        lasts = part.kick_duration - (part.drift - drift) / 2
+        duration = part.kick_duration - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
             similar = part._replace(forces=near.forces, active=near.active)
             try:
-                return self._solved(similar, drift, lasts)
+                return self._solved(similar, drift, duration)
             except NoForces:
                 if drift > BRIEF * part.drift:
                     raise
-        moved = part.start_velocity + lasts * (self._laws + part.constraint_acceleration)
-        return part._replace(drift=drift, kick_duration=lasts, velocity=moved)
+        moved = part.start_velocity + duration * (self._laws + part.constraint_acceleration)
+        return part._replace(drift=drift, kick_duration=duration, velocity=moved)
 
     def _arrived(
         self, part: DriftPart, struck: Booleans, catching: Booleans | None = None

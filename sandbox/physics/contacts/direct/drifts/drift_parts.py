@@ -81,7 +81,7 @@ class DriftPart(NamedTuple):
     stopped_crowds: bool = False
 
     @classmethod
-    def after(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
+    def whole_drift(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
         start, forces = (taken.start_velocity, taken.duration), (taken.forces, taken.active)
         first = cls(taken.kick, drift, drift, *start, *forces, moved, taken.stages[:-1])
@@ -109,7 +109,7 @@ class DriftPart(NamedTuple):
     @property
     def end(self) -> Coordinates:
         """The positions at its end."""
-        return Coordinates(self.kick.place.values + self.drift * self.velocity)
+        return Coordinates(self.kick.pose.values + self.drift * self.velocity)
 
 
 def rows_acting_on(kick: Kick, reached: Booleans) -> Booleans:
@@ -171,10 +171,10 @@ class CutDrift:
     @cached_property
     def divided(self) -> DividedDrift:
         """The drift in parts, for the rest of the step."""
-        whole, led, lasts = self.whole, self._led, self.whole.kick_duration
-        change = lasts * (self.laws + led.constraint_acceleration)
+        whole, led, duration = self.whole, self._led, self.whole.kick_duration
+        change = duration * (self.laws + led.constraint_acceleration)
         left = self._moving((led.start_velocity + change)[self._places])
-        lead = Stage.of(led.kick, lasts, left, lasts * led.forces)
+        lead = Stage.of(led.kick, duration, left, duration * led.forces)
         kept, back = self._taken_back()
         stages = [(part.kick, stage) for part in self.parts[1:] for stage in self._stages(part)]
         between = (self.parts[0].kick, self._given_less()), *stages, (kept, back)
@@ -184,9 +184,9 @@ class CutDrift:
             back.velocity,
             self.reached,
             (*whole.stages, lead),
-            tuple(self._seen(kick, stage) for kick, stage in between),
+            tuple(self._kick_record(kick, stage) for kick, stage in between),
             1.0,
-            self._place(self.parts[-1].end),
+            self._body_poses(self.parts[-1].end),
             lifted,
         )
 
@@ -204,7 +204,7 @@ class CutDrift:
     def _ended(self) -> Kick:
         """The rows of the last part, at its end."""
         last = self.parts[-1]
-        return last.kick.moved(last.end)
+        return last.kick.at_pose(last.end)
 
     @cached_property
     def _led(self) -> DriftPart:
@@ -223,9 +223,9 @@ class CutDrift:
 
     def _work(self, part: DriftPart) -> float:
         """Return the work of the joints in a whole kick before a part [J]."""
-        lasts, rows = self.whole.kick_duration, part.kick.layout.joints
-        mean = part.start_velocity + lasts / 2 * (self.laws + part.constraint_acceleration)
-        return lasts * float(part.forces[rows] @ (part.kick.rows_at_start.jacobian[rows] @ mean))
+        duration, rows = self.whole.kick_duration, part.kick.layout.joints
+        mean = part.start_velocity + duration / 2 * (self.laws + part.constraint_acceleration)
+        return duration * float(part.forces[rows] @ (part.kick.rows_at_start.jacobian[rows] @ mean))
 
     @property
     def _missing(self) -> float:
@@ -234,8 +234,8 @@ class CutDrift:
 
     @cached_property
     def _lasting(self) -> Array:
-        """(r,), the forces of its last part that are traced back [N]; see `_steady`."""
-        return _steady(self.parts[-1], self.laws, self._missing, self.reached)
+        """(r,), the forces of its last part that are traced back [N]; see `_traced_forces`."""
+        return _traced_forces(self.parts[-1], self.laws, self._missing, self.reached)
 
     def _excess_energy(self, left: Array, stages: Sequence[Stage]) -> float:
         """Return the excess of the energy in the middle of it, see `DividedDrift` [J].
@@ -258,16 +258,16 @@ class CutDrift:
             ways -= part.drift * part.velocity[places]
         whole, last = self.whole.drift, self.parts[-1]
         ways += whole / 2 * (left + ended[-1])
-        unsure = ((_lasting(last) - self._lasting) @ self._ended.response)[places]
+        unsure = ((_uncrowded_forces(last) - self._lasting) @ self._ended.response)[places]
         ways -= (whole**2 - last.drift**2) / 8 * unsure
         inertia = inertia_of(self.whole.kick.joints.inverse)[places]
         return float(np.sum((inertia * self.laws[places] * ways)[self.reached]))
 
     def _given_less(self) -> Stage:
         """Return the difference between the kick before it and a whole one."""
-        first, lasts = self.parts[0], self.whole.kick_duration
-        less = first.forces * first.kick_duration - lasts * self._led.forces
-        return Stage.of(first.kick, first.kick_duration - lasts, first.velocity[self._places], less)
+        first, whole = self.parts[0], self.whole.kick_duration
+        less = first.forces * first.kick_duration - whole * self._led.forces
+        return Stage.of(first.kick, first.kick_duration - whole, first.velocity[self._places], less)
 
     def _taken_back(self) -> tuple[Kick, Stage]:
         """Return the excess of the whole kick after it, taken back, and its rows."""
@@ -280,21 +280,21 @@ class CutDrift:
         velocity, rest = part.velocity[self._places], part.forces * part.kick_duration
         return *part.stages, Stage.of(part.kick, part.kick_duration, velocity, rest)
 
-    def _seen(self, kick: Kick, stage: Stage) -> KickBetweenParts:
+    def _kick_record(self, kick: Kick, stage: Stage) -> KickBetweenParts:
         """Return a stage, limited to the bodies and joints that take part in the landings."""
         joints = kick.layout.joints
         some = stage.among(self.reached, rows_acting_on(kick, self.reached)[joints])
         jacobian = -kick.rows_at_start.jacobian[joints][:, self._places]
         moving = some._replace(velocity=self._moving(stage.velocity))
-        return KickBetweenParts(self._place(kick.place), jacobian, moving)
+        return KickBetweenParts(self._body_poses(kick.pose), jacobian, moving)
 
     def _moving(self, velocity: Array) -> Array:
         """Return velocities, (n, 3), with those of the whole drift for all other bodies."""
         return np.where(self.reached[:, None], velocity, self.whole.velocity[self._places])
 
-    def _place(self, there: Coordinates) -> Array:
+    def _body_poses(self, there: Coordinates) -> Array:
         """Return the positions of the bodies: (n, 3) [m, rad]."""
-        way = there.values - self.whole.kick.place.values
+        way = there.values - self.whole.kick.pose.values
         return self.start + way[self._places]
 
 
@@ -305,7 +305,7 @@ def _catches(whole: DriftPart, first: DriftPart) -> bool:
     return bool((whole.kick.joints.pulls_only & taut & ~pulls).any())
 
 
-def _lasting(last: DriftPart) -> Array:
+def _uncrowded_forces(last: DriftPart) -> Array:
     """Return the forces of the last part in islands where no gaps of a crowd close: (r,) [N]."""
     kick, layout, forces = last.kick, last.kick.layout, last.later_forces
     closes = kick.ahead & (last.forces[layout.gaps] > 0)
@@ -335,14 +335,14 @@ def _balanced(forces: Array, last: DriftPart, kick: Kick, missing: float) -> Arr
     return np.where(unsure, then, there)
 
 
-def _steady(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:
+def _traced_forces(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:
     """Return the forces of the last part that may stand for a whole kick after it: (r,).
 
     Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would give
     the bodies more energy than they have, or than the laws alone give them, and count as 0. So do
     those of islands in which gaps of a crowd close: such forces do work, and would give it back.
     """
-    last = last._replace(continuing_forces=_lasting(last))
+    last = last._replace(continuing_forces=_uncrowded_forces(last))
     kinetic, pulls = last.kick.joints.kinetic_energy, last.later_forces @ last.kick.response
     least = kinetic(last.velocity) + kinetic(missing * laws)
     if kinetic(last.velocity - missing * (laws + pulls)) <= GROWS * least:

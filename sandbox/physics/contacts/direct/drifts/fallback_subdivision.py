@@ -92,10 +92,10 @@ class SolvedInnerKick(NamedTuple):
         each body.
         """
         kick = self.kick
-        place = start + (kick.place.values - origin)[order]
+        pose = start + (kick.pose.values - origin)[order]
         jacobian = -kick.rows_at_start.jacobian[kick.layout.joints][:, order]
         stage = Stage.of(kick, self.duration, self.velocity[order], self.impulse)
-        return KickBetweenParts(place, jacobian, stage)
+        return KickBetweenParts(pose, jacobian, stage)
 
 
 class SolvedDrift(NamedTuple):
@@ -124,7 +124,7 @@ class SolvedDrift(NamedTuple):
         forces = first.forces.dot(kick.response)
         length = kick.joints.kick - lost
         begun = (self.inner[-1].velocity - lost * self.acceleration)[order]
-        between = [one.kick_record(start, kick.place.values, order) for one in self.inner]
+        between = [one.kick_record(start, kick.pose.values, order) for one in self.inner]
         end, last = start + self.displacement[order], between[-1]
         nothing = Stage.of(self.inner[-1].kick, -lost, begun, 0.0 * self.inner[-1].impulse)
         back = KickBetweenParts(end, last.jacobian, nothing)
@@ -180,14 +180,14 @@ def _in_parts(
     first = take(kick.before_drift(courses[0]), placed=placed)
     moved, forces, active = first.velocity, first.forces, first.active
     joints.time(drift, drift)
-    place, inner = Coordinates(kick.place.values + drift * moved), []
+    pose, inner = Coordinates(kick.pose.values + drift * moved), []
     for course in courses[1:]:
-        now = kick.between(place, course)
+        now = kick.between(pose, course)
         motion = moved + drift * acceleration
         impulse, moved, active, _ = hold(
             now, motion, (drift * forces, active), driven=False, placed=placed
         )
         inner.append(SolvedInnerKick(now, drift, impulse, moved))
         forces = impulse / drift
-        place = Coordinates(place.values + drift * moved)
-    return SolvedDrift(first, tuple(inner), acceleration, missing, place.values - kick.place.values)
+        pose = Coordinates(pose.values + drift * moved)
+    return SolvedDrift(first, tuple(inner), acceleration, missing, pose.values - kick.pose.values)

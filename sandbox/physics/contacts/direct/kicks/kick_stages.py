@@ -26,9 +26,9 @@ class Stage(NamedTuple):
     contacts: Contacts
 
     @classmethod
-    def of(cls, kick: Kick, lasts: float, ended: Array, impulse: Array) -> "Stage":
+    def of(cls, kick: Kick, duration: float, ended: Array, impulse: Array) -> "Stage":
         """Return a stage from its length, final velocities, and the impulses of its rows: (r,)."""
-        return cls(lasts, ended, impulse[kick.layout.joints], kick.contacts_with(impulse))
+        return cls(duration, ended, impulse[kick.layout.joints], kick.contacts_with(impulse))
 
     def among(self, bodies: Booleans, joints: Booleans) -> "Stage":
         """Return it with only the impulses on some bodies, (n,), and of some joints, (m,)."""
@@ -91,4 +91,4 @@ class KickResult(NamedTuple):
     @property
     def coordinates(self) -> tuple[Coordinates, Coordinates]:
         """The positions at its time, and the velocities after it."""
-        return self.kick.place, Coordinates(self.velocity)
+        return self.kick.pose, Coordinates(self.velocity)

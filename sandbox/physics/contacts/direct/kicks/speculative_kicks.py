@@ -53,7 +53,7 @@ def close_slow_corners(
         corners = speculative.corners(kick, solved.velocity)
         if not corners:
             break
-        more = build.with_ahead(kick, speculative.contacts(corners, kick.place, kick.joints.origin))
+        more = build.with_ahead(kick, speculative.contacts(corners, kick.pose, kick.joints.origin))
         if locates and more.strikes(solved.velocity, laws, solved.forces @ kick.response):
             return solved, True
         try:

@@ -38,17 +38,17 @@ class EndCrossing(NamedTuple):
     leaves: bool
     extra_distance: float | None = None
 
-    def distance_left(self, place: Coordinates) -> float:
+    def distance_left(self, pose: Coordinates) -> float:
         """Return how far it still has to go, with the bodies at some positions [m]."""
-        return dot(self.foot - self.point_on_side(place), self.direction) + (
+        return dot(self.foot - self.point_on_side(pose), self.direction) + (
             self.extra_distance or 0.0
         )
 
-    def point_on_side(self, place: Coordinates) -> complex:
+    def point_on_side(self, pose: Coordinates) -> complex:
         """Return the point that passes, along the axes of the body with the side [m]."""
         own, other = self.bodies
-        there = place.plane[other] + self.point * place.turned[other] - place.plane[own]
-        return complex(there / place.turned[own])
+        there = pose.plane[other] + self.point * pose.turned[other] - pose.plane[own]
+        return complex(there / pose.turned[own])
 
 
 class PointsOnSides(NamedTuple):
@@ -73,7 +73,7 @@ class PointsOnSides(NamedTuple):
     @classmethod
     def at(cls, kick: Kick, sides: Sides) -> "PointsOnSides":
         """Return the points of a kick."""
-        features, turned, plane = kick.features, kick.place.turned, kick.place.plane
+        features, turned, plane = kick.features, kick.pose.turned, kick.pose.plane
         bodies, each = kick.layout.touching.bodies, np.arange(len(kick.layout.touching.pair))
         own = np.where(features.side[each] == bodies[0], 0, 1)
         side, other = bodies[own, each], bodies[1 - own, each]

@@ -83,7 +83,7 @@ class SupportEnds:
         ahead = MOST * most(way * self._weights)
         if ahead < LEAST:
             return []
-        there, bears = Coordinates(kick.place.values + way), forces[kick.layout.gaps] > 0
+        there, bears = Coordinates(kick.pose.values + way), forces[kick.layout.gaps] > 0
         return [
             one
             for one in self._all(kick, ahead)
@@ -97,7 +97,7 @@ class SupportEnds:
         touching = kick.layout.touching
         if touching is not self._touching:
             return False
-        went = (kick.place.values + way - self._seen) * self._weights
+        went = (kick.pose.values + way - self._seen) * self._weights
         if MOST * most(went) >= self._calm:
             (a, b), plane, turns = touching.bodies, planes(went), np.abs(angles(went))
             goes = np.abs(plane[a] - plane[b]) + turns[a] + turns[b]
@@ -119,7 +119,7 @@ class SupportEnds:
         direction = known.direction.view(complex)[:, 0].copy()
         for one in {one.contact: one for one in passing}.values():
             foot = complex(
-                kick.place.plane[one.bodies[0]] + one.foot * kick.place.turned[one.bodies[0]]
+                kick.pose.plane[one.bodies[0]] + one.foot * kick.pose.turned[one.bodies[0]]
             )
             own = int(known.bodies[one.contact, 0] != one.bodies[0])
             at_end = (one.leaves, one.leaves and one.extra_distance is not None)
@@ -146,7 +146,7 @@ class SupportEnds:
 
         0 if it moves away from all its sides.
         """
-        plane, turned = kick.place.plane, kick.place.turned
+        plane, turned = kick.pose.plane, kick.pose.turned
         velocity, spin = planes(motion), angles(motion)
         owner, other = (
             velocity[body] + 1j * spin[body] * (foot - plane[body]) for body in one.bodies
@@ -161,7 +161,7 @@ class SupportEnds:
     def _all(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may pass an end in a drift, given a bound of their way [m]."""
         touching = kick.layout.touching
-        self._touching, self._seen, self._calm = touching, kick.place.values, inf
+        self._touching, self._seen, self._calm = touching, kick.pose.values, inf
         corners = np.count_nonzero(self._sides.any[touching.bodies].all(axis=0))
         self._tips = _tips(kick) if corners else None
         if not len(touching.pair):
@@ -222,9 +222,9 @@ class SupportEnds:
         """Yield a contact of a corner for each side that it may come onto; see `_all`."""
         for normal, foot, way in self._sides.at(passing.bodies[0], tip):
             one = passing._replace(foot=foot, direction=1j * way * normal)
-            left = one.distance_left(kick.place)
+            left = one.distance_left(kick.pose)
             self._note(left)
-            if -NEAR < left < ahead and dot(one.point_on_side(kick.place) - foot, normal) > 0:
+            if -NEAR < left < ahead and dot(one.point_on_side(kick.pose) - foot, normal) > 0:
                 yield one
 
     def _off(
@@ -233,7 +233,7 @@ class SupportEnds:
         """Yield a contact for each end of an arc or a curve at which it may leave; see `_all`."""
         for end, onwards in line.ends:
             one = passing._replace(foot=end, direction=onwards, leaves=True)
-            left, way = one.distance_left(kick.place), one.point_on_side(kick.place) - end
+            left, way = one.distance_left(kick.pose), one.point_on_side(kick.pose) - end
             self._note(abs(left))
             out = 1j * onwards if dot(way, 1j * onwards) > 0 else -1j * onwards
             bend = dot(way, out) - line.half - self._radius[one.bodies[1]]

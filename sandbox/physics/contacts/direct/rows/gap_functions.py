@@ -95,26 +95,26 @@ class Features:
     curved: tuple[CurveContact, ...] = ()
     corners: Booleans | None = None
 
-    def evaluate(self, place: Coordinates, total: Array, jacobian: Array) -> None:
+    def evaluate(self, pose: Coordinates, total: Array, jacobian: Array) -> None:
         """Write the gaps and slips, (k + f,), and their Jacobian, (k + f, 3 N).
 
         Entries of the Jacobian that are 0 are not written.
         """
         held, count = self.touching.row_bodies, len(self.offset)
-        turned, plane = place.turned, place.plane
+        turned, plane = pose.turned, pose.plane
         arms = self.points * turned.take(held)
         ends = plane.take(held) + arms
         d = ends[1] - ends[0]
         ways = self.normal * turned.take(self.side)
         beside = ways.conj() * d  # along the normal, and along the side
         if self.rounds is not None or self.curved:
-            self._bend(place, arms, d[:count], ways, beside)
+            self._bend(pose, arms, d[:count], ways, beside)
         total[:] = beside.real
         way = FROM_TO * ways
         spin = (way * arms.conj()).imag
         spin += self.is_owner * beside.imag
         if len(held[0]) > count:
-            rolled = self.rolls * place.angle.take(held[:, count:])
+            rolled = self.rolls * pose.angle.take(held[:, count:])
             total[count:] += rolled[0]
             total[count:] += rolled[1]
             spin[:, count:] += self.rolls
@@ -122,7 +122,7 @@ class Features:
         flat = jacobian.reshape(-1)
         flat[in_plane], flat[in_angle] = way.view(float), spin
 
-    def _bend(self, place: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
+    def _bend(self, pose: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
         """Correct the rows of discs and curves, for which normals turn; see `evaluate`."""
         rubs, count = self.touching.friction_points, len(d)
         along, across = ways[:count], 1j * ways[:count]
@@ -130,7 +130,7 @@ class Features:
         if self.rounds is not None:
             self._of_round(d, rows)
         if self.curved:
-            follow_curves(self.curved, (place.plane, place.turned), arms[:, :count], rows)
+            follow_curves(self.curved, (pose.plane, pose.turned), arms[:, :count], rows)
             arms[:, count:] = arms[:, rubs]
         if len(rubs):
             beside.real[count:], beside.imag[count:] = slip.take(rubs), -gap.take(rubs)
@@ -150,10 +150,10 @@ class Features:
             slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
             across[rounds] = 1j * along[rounds] * (first / size)
 
-    def moved(self, place: Coordinates) -> "Features":
+    def moved(self, pose: Coordinates) -> "Features":
         """Return the same contact points for a drift that begins at other positions."""
         there, held, rubs = copy(self), self.touching.row_bodies, self.touching.friction_points
-        points = place.plane[held] + self.points * place.turned[held]
+        points = pose.plane[held] + self.points * pose.turned[held]
         first, second = points[:, : len(self.offset)]
         there.offset = second - first
         there.rolls = _to_the_middle(self.rolls, self.circles, there.offset[rubs])
@@ -172,7 +172,7 @@ def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice
 
 
 def features(
-    contacts: Contacts, touching: ContactPoints, place: Coordinates, origin: complex
+    contacts: Contacts, touching: ContactPoints, pose: Coordinates, origin: complex
 ) -> Features:
     """Return the contact points of a step; the origin is that of the positions [m]."""
     bodies, pair, _, number, rubs = touching[:5]
@@ -181,15 +181,15 @@ def features(
     middle = np.ascontiguousarray(contacts.points).view(complex).take(number) - origin
     out = OUT * n  # of each body
     surfaces = middle + out * (contacts.depths.take(number) / 2)
-    where, turned = place.plane.take(bodies), place.turned.take(bodies)
+    where, turned = pose.plane.take(bodies), pose.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
     back = turned.conj()
     owns, normals = _owners(touching, out * back, (surfaces - where) * back)
-    curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
+    curved = tuple(on_curves(figures, bodies, n, surfaces, (pose.plane, pose.turned)))
     if (ends := touching.ends) is not None:
         is_round = is_round & ~ends
         curved = tuple(one for one in curved if not ends[int(one.sign < 0), one.point])
-    is_round, center = _with_curves(curved, place, is_round, center, owns)
+    is_round, center = _with_curves(curved, pose, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
     bends = _bends(outlines, is_round, owns, corner)
     core = surfaces if bends is None else surfaces - out * np.where(bends, outlines.rounding, 0.0)
@@ -244,7 +244,7 @@ def _owners(touching: ContactPoints, out: Plane, points: Plane) -> tuple[Boolean
 
 def _with_curves(
     curved: Sequence[CurveContact],
-    place: Coordinates,
+    pose: Coordinates,
     is_round: Booleans,
     center: Plane,
     owns: Booleans,
@@ -258,7 +258,7 @@ def _with_curves(
     is_round, center = is_round.copy(), center.copy()
     for one in curved:
         own = int(one.sign < 0)
-        center[own, one.point] = place.plane[one.curve] + place.turned[one.curve] * one.center
+        center[own, one.point] = pose.plane[one.curve] + pose.turned[one.curve] * one.center
         is_round[own, one.point] = True
         owns[1 - own, one.point] &= one.arched
     return is_round, center
