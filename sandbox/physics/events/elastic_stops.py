@@ -21,7 +21,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.events.breaking_at_impact import borne_jolt
+from sandbox.physics.events.breaking_at_impact import broken_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
 from sandbox.physics.events.switching_events import NEAR, Part, first_time
 from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
@@ -46,8 +46,9 @@ OFTEN = Message(
 class Bounces:
     """Makes bodies bounce off the stops of a scene; n bodies, s sides of stops.
 
-    `sides` are the equations of the sides. `restitution` and `borne` hold, by name, each stop's
-    coefficient and the breaking force of each joint that has one [N]; `dt` is the time step [s].
+    `sides` are the equations of the sides. `restitution` and `breaking_loads` hold, by name, each
+    stop's coefficient and the breaking force of each joint that has one [N]; `dt` is the time step
+    [s].
     """
 
     def __init__(
@@ -55,10 +56,10 @@ class Bounces:
         scene: Scene,
         sides: JointSystem,
         restitution: Mapping[str, float],
-        borne: Mapping[str, float],
+        breaking_loads: Mapping[str, float],
         dt: float,
     ) -> None:
-        self._scene, self._sides, self._borne, self._dt = scene, sides, borne, dt
+        self._scene, self._sides, self._breaking_loads, self._dt = scene, sides, breaking_loads, dt
         self._restitution = [restitution[name] for name in sides.names]
         self._resting: set[int] = set()
         self._work = 0  # in this step, in bounces times equations
@@ -66,13 +67,18 @@ class Bounces:
 
     @classmethod
     def of(
-        cls, scene: Scene, level: Level, values: Values, borne: Mapping[str, float], dt: float
+        cls,
+        scene: Scene,
+        level: Level,
+        values: Values,
+        breaking_loads: Mapping[str, float],
+        dt: float,
     ) -> Self | None:
         """Return the bounces of a scene; None if it has no elastic stops."""
         sides = scene.joints.elastic
         restitution = dict.fromkeys(stops_without_rebound(level.joints, level.events), 0.0)
         restitution |= {name: e(values) for name, e in rebounding_stops(level.joints)}
-        return cls(scene, sides, restitution, borne, dt) if sides else None
+        return cls(scene, sides, restitution, breaking_loads, dt) if sides else None
 
     def _begin(self) -> None:
         """Hold bodies that rest at a stop at the start."""
@@ -88,7 +94,7 @@ class Bounces:
         self._work = 0
         for side in sorted(self._resting):
             if not self._together.tension[self._rows(side)].any():
-                self._let_go(side)
+                self._release_side(side)
 
     def _release_slack(self) -> None:
         """Release bodies that have left the stop on which they rest within this drift.
@@ -98,7 +104,7 @@ class Bounces:
         beyond = self._beyond(self._scene.batch.state()[:, :3])
         for side in sorted(self._resting):
             if beyond[side] < -(TAUT + QUADRATIC):
-                self._let_go(side)
+                self._release_side(side)
 
     def first(self, part: Part) -> tuple[int, float] | None:
         """Return the side reached first in a part of a drift, and when [s]; None if none is."""
@@ -174,11 +180,11 @@ class Bounces:
             row = int(np.flatnonzero(self._rows(side))[0])
             return jolt(self._scene, t, {} if rests else {row: self._restitution[side]})
 
-        found = borne_jolt(self._scene, t, self._borne, self._dt, impact)
+        found = broken_jolt(self._scene, t, self._breaking_loads, self._dt, impact)
         if rests:
             self._together.end_added_impact()
         else:
-            self._let_go(side)
+            self._release_side(side)
         return found
 
     @property
@@ -196,7 +202,7 @@ class Bounces:
             self._together.add([], [equations.others[side - first]])
         self._resting.add(side)
 
-    def _let_go(self, side: int) -> None:
+    def _release_side(self, side: int) -> None:
         self._together.drop(self._sides.names[side])
         self._resting.discard(side)
         if self._scene.direct:

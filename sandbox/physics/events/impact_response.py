@@ -130,12 +130,12 @@ class Collision:
         time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
         pose, velocity = path.at(time)
         e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
-        jacobian, response, delassus, runs = self._points(hits, pose, rubs=bool(mu.any()))
+        jacobian, response, delassus, runs = self._points(hits, pose, has_friction=bool(mu.any()))
         count = len(of)
         rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
-        pulls = np.einsum("knc,nc->k", jacobian[:count], path.acceleration)
+        normal_acceleration = np.einsum("knc,nc->k", jacobian[:count], path.acceleration)
         leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
-        rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
+        rises = leaves > np.maximum(-normal_acceleration, 0.0) * (self._dt / 2)
         rests = (np.bincount(of, rises) == 0)[of]
         leaves[rests] = 0.0
         impulse = _impulses(delassus, rates, leaves, mu)
@@ -147,7 +147,9 @@ class Collision:
         rests &= (np.bincount(of, impulse[:count]) > 0)[of]
         if rests.any():
             block = delassus[:count, :count][np.ix_(rests, rests)]
-            holds[:count][rests] = _impulses(block, pulls[rests], np.zeros(len(block)), mu[rests])
+            holds[:count][rests] = _impulses(
+                block, normal_acceleration[rests], np.zeros(len(block)), mu[rests]
+            )
         duration = (self._dt - time) - self._dt / 2
         impacts = []
         for index, hit in enumerate(hits):
@@ -166,8 +168,8 @@ class Collision:
         """Return the total momentum that impulses (k,) add: (3,)."""
         return momentum(self._inertia * np.einsum("k,knc->nc", push, response), pose)
 
-    def _points(self, hits: Sequence[Hit], pose: Array, *, rubs: bool) -> _Points:
-        jacobian = _jacobian(hits, pose, rubs=rubs)
+    def _points(self, hits: Sequence[Hit], pose: Array, *, has_friction: bool) -> _Points:
+        jacobian = _jacobian(hits, pose, has_friction=has_friction)
         response = jacobian * self._inverse_mass
         delassus = np.einsum("knc,lnc->kl", response, jacobian)
         runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
@@ -182,12 +184,12 @@ def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
     return [hit for hit in kept if hit.points]
 
 
-def _jacobian(hits: Sequence[Hit], pose: Array, *, rubs: bool) -> Array:
+def _jacobian(hits: Sequence[Hit], pose: Array, *, has_friction: bool) -> Array:
     """Return the Jacobian of the separation and, with friction, the slip: (k, n, 3)."""
     bodies = np.array([hit.bodies for hit in hits for _ in hit.points], dtype=np.intp)
     points = np.array([point for hit in hits for point in hit.points], dtype=complex)
     ways = np.array([hit.normal for hit in hits for _ in hit.points], dtype=complex)
-    if rubs:
+    if has_friction:
         bodies, points, ways = (
             np.tile(bodies, (2, 1)),
             np.tile(points, 2),
@@ -209,9 +211,9 @@ def _impact(
     """Return the impact for a hit, given impulses and works: normal before friction."""
     count = len(hit.points)
     whole = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
-    rubbed, pressed = float(works[count:].sum()), float(works[:count].sum())
+    friction_work, pressed = float(works[count:].sum()), float(works[:count].sum())
     known = hit.bodies, hit.time, hit.normal, hit.points
-    return Impact(*known, whole, kinematic, driven, rubbed, pressed, given)
+    return Impact(*known, whole, kinematic, driven, friction_work, pressed, given)
 
 
 def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:

@@ -58,16 +58,16 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
     _, motion = joints.coordinates()
     bounces = bounces or {}
     leaves, out = np.zeros(len(kick.response)), np.zeros(len(kick.response), dtype=bool)
-    impulse, came = np.zeros_like(leaves), motion.values
+    impulse, approach = np.zeros_like(leaves), motion.values
     if bounces:  # velocities at an instant satisfy the constraints only to second order in dt
         out[list(bounces)] = True
-        impulse = impulses(kick, came, leaves, out)
-        came = came + impulse @ kick.response
+        impulse = impulses(kick, approach, leaves, out)
+        approach = approach + impulse @ kick.response
     for row, restitution in bounces.items():
-        leaves[row] = restitution * min(float(kick.rows_at_start.jacobian[row] @ came), 0.0)
-    impulse = impulse + impulses(kick, came, leaves, np.zeros_like(out))
+        leaves[row] = restitution * min(float(kick.rows_at_start.jacobian[row] @ approach), 0.0)
+    impulse = impulse + impulses(kick, approach, leaves, np.zeros_like(out))
     state = scene.batch.state()
-    pulls = JointForces(
+    joint_impulses = JointForces(
         joints.jacobian(),
         impulse[kick.layout.joints],
         joints.pulls_only,
@@ -77,7 +77,9 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
     after = state[:, 3:] + (impulse @ kick.response)[joints.order]
     others = joints.pulls_only.sum() - len(bounces) + len(kick.contacts.bodies)
     elastic = not others and bool(bounces) and min(bounces.values()) == 1
-    return Jolt(t, state[:, :3], state[:, 3:], after, pulls, kick.contacts_with(impulse), elastic)
+    return Jolt(
+        t, state[:, :3], state[:, 3:], after, joint_impulses, kick.contacts_with(impulse), elastic
+    )
 
 
 def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:

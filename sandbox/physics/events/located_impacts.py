@@ -121,12 +121,12 @@ class ImpactLocator:
         self._first, self.impacts = None, []
         bend = np.maximum(np.abs(smooth), np.abs(total))
         near = self._near(pose, pose + drifts * self._dt, bend * self._dt**2)
-        begun, self.pre_kick_velocity = self.pre_kick_velocity, drifts
+        velocity_before, self.pre_kick_velocity = self.pre_kick_velocity, drifts
         if not len(near):
             return None
         acceleration = self._acceleration(smooth, total)
         if struck is None:
-            self._without_impacts(acceleration, smooth, pose, (begun, drifts))
+            self._without_impacts(acceleration, smooth, pose, (velocity_before, drifts))
         path = Path(pose, drifts - acceleration * (self._dt / 2), acceleration)
         self._extra_momentum = np.zeros(3)
         self._solve_in_order(path, near, smooth * self._dt)
@@ -152,13 +152,15 @@ class ImpactLocator:
         change = np.where(hit[:, None], onwards - acceleration, 0.0)
         return Cut(self.pre_kick_velocity - drifts, change)
 
-    def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
+    def _compare(
+        self, path: Path, accelerations: tuple[Array, Array], places: tuple[Array, Array]
+    ) -> None:
         """Set the entries of the energy and momentum books for the middle of a drift.
 
         They follow from the accelerations and positions at the kicks before and after it.
         """
         half, struck = self._dt / 2, path.struck[:, None]
-        before, after = (np.where(struck, acceleration, 0.0) for acceleration in pulls)
+        before, after = (np.where(struck, acceleration, 0.0) for acceleration in accelerations)
         less = before * before - after * after
         self._reading_shift = float(np.sum(self._inertia * less)) * half * half / 2
         self._extra_momentum += self._added_momentum(path, self._dt, path.struck)

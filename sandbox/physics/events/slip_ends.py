@@ -150,44 +150,52 @@ class SlipEndLocator:
         if not len(self._batch.contacts().bodies):
             return acceleration
         velocity = velocity_before + acceleration * (length - self._dt / 2)
-        seen = self._lookout.detect(step_velocity, velocity, acceleration)
-        if not seen.ends.any():
+        slip_state = self._lookout.detect(step_velocity, velocity, acceleration)
+        if not slip_state.ends.any():
             if (self._ground == self._ground[:1]).all():  # all the ground moves alike
-                self._quiet = int(min(max(seen.steps - 2, 0) / 2, FAR))
+                self._quiet = int(min(max(slip_state.steps - 2, 0) / 2, FAR))
                 self._alike = (ALIKE * float(self._onwards.adds.max())) ** 2
             return acceleration
         contacts = self._batch.contacts()
-        tied = (self._island(seen.slips, seen.ends) & self._tied).any()
-        if tied or self._onwards.is_approaching(contacts, seen.pose, velocity, self._dt):
+        tied = (self._island(slip_state.slips, slip_state.ends) & self._tied).any()
+        if tied or self._onwards.is_approaching(contacts, slip_state.pose, velocity, self._dt):
             return acceleration
-        if seen.weakened.any():
+        if slip_state.weakened.any():
             return self._retake_slipping(velocity_before, step_velocity, acceleration, length)
         forces = contacts.scaled(1 / length)
-        part = Phase(self._dt, seen.pose, velocity, acceleration, forces)
-        self._due = part, seen.slips, seen.sense
+        part = Phase(self._dt, slip_state.pose, velocity, acceleration, forces)
+        self._due = part, slip_state.slips, slip_state.sense
         return acceleration
 
     def _retake_slipping(
         self, velocity_before: Array, step_velocity: Array, acceleration: Array, length: float
     ) -> Array:
         """Take the last kick again with everything still slipping; see `_detect`."""
-        after, memory, since = self._batch.velocity(), self._onwards.memory(), length - self._dt / 2
+        after, memory, time_since = (
+            self._batch.velocity(),
+            self._onwards.memory(),
+            length - self._dt / 2,
+        )
         settled = (
             self._onwards.settled(0.0, velocity_before, length, self._dt) - velocity_before
         ) / length
-        seen = self._lookout.detect(step_velocity, velocity_before + settled * since, settled)
-        slips, sense = seen.slips, seen.sense
-        found = self._onwards.solve(seen.pose, velocity_before, 0.0, self._dt / 2, slips, sense)
+        slip_state = self._lookout.detect(
+            step_velocity, velocity_before + settled * time_since, settled
+        )
+        slips, sense = slip_state.slips, slip_state.sense
+        found = self._onwards.solve(
+            slip_state.pose, velocity_before, 0.0, self._dt / 2, slips, sense
+        )
         self._onwards.restore(memory)
         self._batch.set_velocity(after)
-        if found and seen.weakened.any():
-            island = self._island(slips, seen.weakened)
+        if found and slip_state.weakened.any():
+            island = self._island(slips, slip_state.weakened)
             slipping = np.where(island[:, None], found.acceleration, acceleration)
-            velocity = velocity_before + slipping * since
+            velocity = velocity_before + slipping * time_since
             over = -LATE * np.abs(slips.change(slipping)) * self._dt
-            if (sense * slips.speed(velocity) >= over)[seen.weakened].all():
+            if (sense * slips.speed(velocity) >= over)[slip_state.weakened].all():
                 self.kicked = found.forces.scaled(length)
-                part = Phase(self._dt, seen.pose, velocity, slipping, found.forces)
+                part = Phase(self._dt, slip_state.pose, velocity, slipping, found.forces)
                 self._due = part, slips, sense
                 return slipping
         self._onwards.settled(0.0, velocity_before, length, self._dt)  # for pymunk's warm start
@@ -195,7 +203,7 @@ class SlipEndLocator:
         self._batch.set_velocity(after)
         return acceleration
 
-    def drop(self, velocity_before: Array) -> None:
+    def leave_to_impact(self, velocity_before: Array) -> None:
         """Leave the coming drift to an impact; the next kick then begins with velocities (n, 3)."""
         self._due = self.last = self._acceleration = None
         self._next, self._quiet = velocity_before, 0

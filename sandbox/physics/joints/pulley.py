@@ -112,9 +112,9 @@ class PulleyString:
         reply_a, reply_b = unit_a and unit_a / far_a, unit_b and unit_b / far_b
         px, py, qx, qy = reply_a * ax, reply_a * ay, reply_b * bx, reply_b * by
         h, duration, warm, close = kick.drift, kick.length, self._warm_start, self._close
-        off, least = far_a + far_b - self._free_length, -warm * duration
-        if -self._rounding <= off <= self._rounding:
-            off *= SHARE
+        residual, least = far_a + far_b - self._free_length, -warm * duration
+        if -self._rounding <= residual <= self._rounding:
+            residual *= SHARE
         impulse = self.tension * duration + least
         for _ in range(MAX_ITERATIONS):
             # the displacements of both ends, and their arms after the drift
@@ -122,7 +122,7 @@ class PulleyString:
             dbx, dby = h * (vx - impulse * qx), h * (vy - impulse * qy)
             tax, tay, tbx, tby = ax + dax, ay + day, bx + dbx, by + dby
             reach_a, reach_b = hypot(tax, tay) or 1.0, hypot(tbx, tby) or 1.0
-            excess = off + ((ax + tax) * dax + (ay + tay) * day) / (far_a + reach_a)
+            excess = residual + ((ax + tax) * dax + (ay + tay) * day) / (far_a + reach_a)
             excess += ((bx + tbx) * dbx + (by + tby) * dby) / (far_b + reach_b)
             if excess <= 0 and impulse <= least:
                 break

@@ -76,7 +76,7 @@ class DirectSolver:
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
-        self._begun = self._acceleration = self._change = self._calm.jump
+        self._pre_kick = self._acceleration = self._change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
         self._warm, self._pulls = WarmStart(), Pulls()
         self._crowd: Booleans | None = None  # the one that was stopped in this kick
@@ -107,7 +107,7 @@ class DirectSolver:
             self.drifts.forget()
         else:
             self._build.corrects, self._crowd = True, None
-        self._begun, self._acceleration, self._starts = self.velocity(), acceleration, start
+        self._pre_kick, self._acceleration, self._starts = self.velocity(), acceleration, start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 
     def velocity(self) -> Array:
@@ -122,7 +122,7 @@ class DirectSolver:
         there are no such impulses.
         """
         if self._meets:
-            self._build.find_contacts(lambda: np.abs(self._begun) * self._dt)
+            self._build.find_contacts(lambda: np.abs(self._pre_kick) * self._dt)
         self._pushed, self._until, self._taken = None, until, None
         self.last, self.stages = self._calm, ()
         self.drifts.begin(self._build.contacts)
@@ -146,7 +146,7 @@ class DirectSolver:
         after = divided.post_kick_velocity if divided else self._batch.velocity()
         if landed:
             after = landed.whole.velocity[self._order]
-        self._change = (after - self._begun) * (self._dt / self._joints.kick)
+        self._change = (after - self._pre_kick) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
             self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
@@ -183,7 +183,7 @@ class DirectSolver:
     def _solve_joints(self, until: float) -> None:
         """Solve joints without contacts; if ropes fail in this way, solve them as contacts are."""
         if self.drifts.drift_before:  # pymunk knows only the mean velocities
-            self._batch.set_velocity(self._begun + self._acceleration * self._joints.kick)
+            self._batch.set_velocity(self._pre_kick + self._acceleration * self._joints.kick)
         velocity = self._batch.velocity()
         try:
             self._joints.solve(until)
@@ -273,7 +273,7 @@ class DirectSolver:
         lands = ends or look.approaching.near(self._build.contacts, pose, way)
         if not (lands or pulls or (taken and taken.slides)):
             return None
-        whole, (laws,) = self._whole(pose, motion.values), self._spread(self._acceleration)
+        whole, (laws,) = self._whole_drift(pose, motion.values), self._spread(self._acceleration)
         catches = pulls and caught(whole).any()
         if not (lands or catches or len(slip_ends(whole, laws))):
             return None
@@ -307,20 +307,20 @@ class DirectSolver:
         found = stopped(taken, crowded, look, build, lambda _, kick: solve_kick(kick, start, known))
         self._keep(found[0], start)
 
-    def _whole(self, pose: Coordinates, moved: Array) -> DriftPart:
+    def _whole_drift(self, pose: Coordinates, moved: Array) -> DriftPart:
         """Return the drift after a kick as one part, with velocities (3 N,)."""
         dt, joints = self._dt, self._joints
         if self._taken:
             return DriftPart.whole_drift(self._taken, dt, moved)
-        begun, taut = self._spread(self._begun)[0], joints.expected()[1]
+        begun, taut = self._spread(self._pre_kick)[0], joints.expected()[1]
         held = Active(taut, np.zeros(0, dtype=np.intp))
         duration, kick = joints.kick, self._build.at(pose)
         return DriftPart(kick, dt, dt, begun, duration, joints.tension, held, moved)
 
     def _beginning(self) -> KickStart:
         """Return the state and the forces at the beginning of this kick."""
-        begun, acts, change = self._spread(self._begun, self._acceleration, self._change)
-        return KickStart(begun, acts, change, self._lead, self._dt, self._driven())
+        velocity, acts, change = self._spread(self._pre_kick, self._acceleration, self._change)
+        return KickStart(velocity, acts, change, self._lead, self._dt, self._driven())
 
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""
@@ -330,7 +330,7 @@ class DirectSolver:
 
     def _driven(self) -> bool:
         """Whether running surfaces or kinematic bodies may add energy."""
-        return self._runs or bool(np.count_nonzero(self._begun.take(self._fixed, axis=0)))
+        return self._runs or bool(np.count_nonzero(self._pre_kick.take(self._fixed, axis=0)))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
         """Pass the impulses of the whole kick, (r,), and its active rows to joints and contacts."""

@@ -72,8 +72,8 @@ class ConstraintForces(JointSystem):
 
         The excess is in m or rad; it is 0, and the name empty, if there is none.
         """
-        off = zip(self._residuals(t).tolist(), self._joints, strict=True)
-        excess, joint = max((found for found in off if found[1] in joints), default=(0.0, ""))
+        residuals = zip(self._residuals(t).tolist(), self._joints, strict=True)
+        excess, joint = max((found for found in residuals if found[1] in joints), default=(0.0, ""))
         return joint, max(excess, 0.0)
 
     def _residuals(self, t: float) -> Array:

@@ -66,7 +66,7 @@ def check_independent(joints: JointSystem, here: Rows, response: Array, length: 
     return independent
 
 
-def lost(
+def failure(
     joints: JointSystem, row: int, taut: Integers, independent: float, tension: Array, drift: float
 ) -> JointFailure:
     """Return why an equation fails: joints work against each other, or the step is too long.

@@ -169,13 +169,13 @@ class JointSystem:
     def largest_residual(self) -> tuple[str, float]:
         """Return the joint with the largest residual, and that residual [m, rad]."""
         pose, _ = self.coordinates()
-        off = self.equations.evaluate_without_memory(pose).total - self.length
-        off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
-        off[self.changes] = 0.0  # the values to keep now are not known here
-        if not len(off):
+        residuals = self.equations.evaluate_without_memory(pose).total - self.length
+        residuals = np.where(self._pulls_only, np.maximum(residuals, 0.0), np.abs(residuals))
+        residuals[self.changes] = 0.0  # the values to keep now are not known here
+        if not len(residuals):
             return "", 0.0
-        worst = int(off.argmax())
-        return self._joints[worst], float(off[worst])
+        worst = int(residuals.argmax())
+        return self._joints[worst], float(residuals[worst])
 
     def is_driven(self, motion: Array) -> bool:
         """Return whether lengths change, or velocities (3 N,) move a kinematic body."""

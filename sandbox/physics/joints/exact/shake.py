@@ -29,7 +29,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
 )
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.exact.force_history import ConstraintForces
-from sandbox.physics.joints.exact.joint_failures import check_independent, lost, overlapping
+from sandbox.physics.joints.exact.joint_failures import check_independent, failure, overlapping
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.separate_joints import alone
 from sandbox.physics.state.cancellation_points import cancellation_point
@@ -226,7 +226,7 @@ class ExactJoints(ConstraintForces):
         tension = np.zeros(len(self.length))  # that of new equations is not known yet
         tension[: len(self.tension)] = self.tension
         taut = np.flatnonzero(self._taut)
-        return lost(self, row, taut, self._independence, tension, self.drift)
+        return failure(self, row, taut, self._independence, tension, self.drift)
 
 
 def parabola(past: list[Number]) -> Number:

@@ -26,7 +26,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.energy.impulse_propagation import reached_by_jerk
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
-from sandbox.physics.events.breaking_at_impact import borne_jolt
+from sandbox.physics.events.breaking_at_impact import broken_jolt
 from sandbox.physics.events.elastic_stops import Bounces
 from sandbox.physics.events.joint_impacts import Jolt, jolt
 from sandbox.physics.events.switching_events import Part, entries_at_step, entries_of, stored_energy
@@ -304,7 +304,7 @@ class EventStage:
         if reverse and scene.gates:
             scene.gates.reverse(reverse)
         if catch(scene.joints, tie, t):
-            impact = borne_jolt(scene, t, self._breaking_loads, self._dt, partial(jolt, scene, t))
+            impact = broken_jolt(scene, t, self._breaking_loads, self._dt, partial(jolt, scene, t))
             self._jolts.append(impact)
             assert scene.joints.together
             scene.joints.together.end_added_impact()

@@ -58,7 +58,7 @@ class Cuts:
             self._collide(impacts)
         if slip_ends := self._slip_ends:
             if impacts and impacts.impacts:
-                slip_ends.drop(impacts.pre_kick_velocity)
+                slip_ends.leave_to_impact(impacts.pre_kick_velocity)
             elif cut := slip_ends.cut():
                 self._forces.restart(cut.pre_kick_velocity - cut.acceleration * self._dt)
                 if impacts:

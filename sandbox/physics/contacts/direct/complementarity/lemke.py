@@ -11,7 +11,7 @@ slower than updates of the active set, and used only where these cycle.
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.state.cancellation_points import cancellation_point
 
@@ -85,7 +85,7 @@ def _ratio(table: Array, pose: int, basis: Integers, artificial: int) -> int | N
     None if there is no such row, or if the numbers overflow.
     """
     column, value = table[:, pose], np.maximum(table[:, -1], 0.0)
-    some = (column > NOTHING * most(column)).nonzero()[0]
+    some = (column > NOTHING * max_abs(column)).nonzero()[0]
     if not len(some):
         return None
     column, tie = column.take(some), TIE * value[value.argmax()]

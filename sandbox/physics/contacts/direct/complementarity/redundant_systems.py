@@ -31,7 +31,7 @@ def preload() -> None:
         import_module(library)
 
 
-def most(values: Array) -> float:
+def max_abs(values: Array) -> float:
     """Return the largest absolute value; 0 of an empty array, NaN if any value is NaN."""
     sizes = np.abs(values)
     return sizes.item(sizes.argmax()) if len(sizes) else 0.0
@@ -49,13 +49,13 @@ def solved(matrix: Array, rhs: Array) -> tuple[Array, bool]:
         found, probe = solve(matrix, np.array((rhs, _probe(len(rhs)))).T).T
     except np.linalg.LinAlgError:
         probe = found = np.full(1, np.inf)
-    if most(probe) < REPEATS:
+    if max_abs(probe) < REPEATS:
         return np.asarray(found), False
-    least = _least(matrix, rhs)
-    return least + _least(matrix, rhs - matrix @ least), True
+    least = _minimum_norm(matrix, rhs)
+    return least + _minimum_norm(matrix, rhs - matrix @ least), True
 
 
-def _least(matrix: Array, rhs: Array) -> Array:
+def _minimum_norm(matrix: Array, rhs: Array) -> Array:
     """Return the smallest least-squares solution, by a complete orthogonal decomposition.
 
     LAPACK is called directly: on few rows the checks of SciPy's `lstsq` take longer than its work.
@@ -79,7 +79,7 @@ def nearest(matrix: Array, rhs: Array) -> Array:
     columns = np.column_stack((_probe(count), rhs))
     try:
         found = solve(matrix, columns)
-        if most(found[:, 0]) * matrix.diagonal().max() < SOUND:
+        if max_abs(found[:, 0]) * matrix.diagonal().max() < SOUND:
             return np.asarray(found[:, 1:].reshape(rhs.shape))
     except np.linalg.LinAlgError:
         pass

@@ -329,8 +329,8 @@ class DriftCutter(PartSolver):
         The part already has the rows there; `struck` tells which of its gaps land, (k,), and
         `catching` which of its joints catch, (m,).
         """
-        some, came, before = self._arrived(part, struck, catching)
-        begun, pushes, pairs = coupled_impacts.solve_impacts(some, came, struck, part.active)
+        some, approach, before = self._arrived(part, struck, catching)
+        begun, pushes, pairs = coupled_impacts.solve_impacts(some, approach, struck, part.active)
         stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
         time = self._whole.drift - part.time_left + part.drift

@@ -114,5 +114,11 @@ class PartSolver:
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
         motion = part.velocity + half * drive
-        came, to_it = coupled_impacts.approach_velocity(some, motion, struck, part.active, catching)
-        return some, came, (Stage.of(part.kick, half, came[self._order], to_it + half * others),)
+        approach, to_it = coupled_impacts.approach_velocity(
+            some, motion, struck, part.active, catching
+        )
+        return (
+            some,
+            approach,
+            (Stage.of(part.kick, half, approach[self._order], to_it + half * others),),
+        )

@@ -250,9 +250,9 @@ class CutDrift:
         are the kicks from there on, up to the velocities before the whole kick after it.
         """
         ended = [stage.velocity for stage in stages]
-        begun, places = [left, *ended[:-1]], self._places
+        velocity_before, places = [left, *ended[:-1]], self._places
         ways = np.zeros_like(left)
-        for stage, before in zip(stages, begun, strict=True):
+        for stage, before in zip(stages, velocity_before, strict=True):
             ways += stage.duration / 2 * (before + stage.velocity)
         for part in self.parts:
             ways -= part.drift * part.velocity[places]
@@ -272,8 +272,8 @@ class CutDrift:
     def _taken_back(self) -> tuple[Kick, Stage]:
         """Return the excess of the whole kick after it, taken back, and its rows."""
         last, kick, missing, forces = self.parts[-1], self._ended, self._missing, self._lasting
-        begun = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
-        return kick, Stage.of(kick, -missing, self._moving(begun[self._places]), -missing * forces)
+        rates = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
+        return kick, Stage.of(kick, -missing, self._moving(rates[self._places]), -missing * forces)
 
     def _stages(self, part: DriftPart) -> tuple[Stage, ...]:
         """Return the stages at the beginning of a part."""
@@ -294,15 +294,15 @@ class CutDrift:
 
     def _body_poses(self, there: Coordinates) -> Array:
         """Return the positions of the bodies: (n, 3) [m, rad]."""
-        way = there.values - self.whole.kick.pose.values
-        return self.start + way[self._places]
+        displacement = there.values - self.whole.kick.pose.values
+        return self.start + displacement[self._places]
 
 
 def _catches(whole: DriftPart, first: DriftPart) -> bool:
     """Return whether a rope becomes taut in a drift, but not before its first landing."""
     joints = whole.kick.layout.joints
-    taut, pulls = (part.forces[joints] > 0 for part in (whole, first))
-    return bool((whole.kick.joints.pulls_only & taut & ~pulls).any())
+    taut, taut_at_first = (part.forces[joints] > 0 for part in (whole, first))
+    return bool((whole.kick.joints.pulls_only & taut & ~taut_at_first).any())
 
 
 def _uncrowded_forces(last: DriftPart) -> Array:

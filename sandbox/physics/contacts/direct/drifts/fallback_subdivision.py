@@ -123,14 +123,16 @@ class SolvedDrift(NamedTuple):
         kick, moved = first.kick, first.velocity
         forces = first.forces.dot(kick.response)
         length = kick.joints.kick - lost
-        begun = (self.inner[-1].velocity - lost * self.acceleration)[order]
+        velocity_before = (self.inner[-1].velocity - lost * self.acceleration)[order]
         between = [one.kick_record(start, kick.pose.values, order) for one in self.inner]
         end, last = start + self.displacement[order], between[-1]
-        nothing = Stage.of(self.inner[-1].kick, -lost, begun, 0.0 * self.inner[-1].impulse)
+        nothing = Stage.of(
+            self.inner[-1].kick, -lost, velocity_before, 0.0 * self.inner[-1].impulse
+        )
         back = KickBetweenParts(end, last.jacobian, nothing)
         return DividedDrift(
             (moved + lost * (self.acceleration + forces))[order],
-            begun,
+            velocity_before,
             np.ones(len(start), dtype=bool),
             first.stages or (Stage.of(kick, length, moved[order], first.impulse),),
             (*between, back),

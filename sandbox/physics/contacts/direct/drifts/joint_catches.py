@@ -69,11 +69,11 @@ def catch_time(part: DriftPart, laws: Array, until: float, longest: float) -> fl
     """
     joints, pose, start = part.kick.joints, part.kick.pose.values, until - part.time_left
     total = laws + part.constraint_acceleration
-    begun = part.velocity - total * (part.drift / 2)
+    velocity = part.velocity - total * (part.drift / 2)
 
     def gaps(t: float) -> Array:
         there = joints.equations.evaluate_without_memory(
-            Coordinates(pose + t * (begun + total * (t / 2)))
+            Coordinates(pose + t * (velocity + total * (t / 2)))
         )
         return np.asarray(joints.lengths(start + t) - there.total)
 

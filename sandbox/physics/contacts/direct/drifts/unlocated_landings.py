@@ -83,7 +83,7 @@ def _is_linkage(kick: Kick, crowded: Booleans) -> bool:
 def stopped(
     solved: Some,
     crowded: Booleans,
-    look: SpeculativeContacts,
+    speculative: SpeculativeContacts,
     build: KickBuilder,
     again: Callable[[Some, Kick], Some],
 ) -> tuple[Some, Booleans]:
@@ -93,7 +93,7 @@ def stopped(
     What it finds no impulses for is left to land.
     """
     for _ in range(LOOKS):
-        ahead = look.ahead(solved.kick, solved.velocity, crowded)
+        ahead = speculative.ahead(solved.kick, solved.velocity, crowded)
         if not len(ahead.bodies):
             break
         try:

@@ -57,14 +57,14 @@ class FalseContacts:
         self._same = contacts.bodies if whole else None
         return contacts if whole else Contacts._make(field[good] for field in contacts)
 
-    def updated(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
+    def updated(self, contacts: Contacts, state: Array, shift: Array, min_depth: float) -> Contacts:
         """Return contacts with those that a displacement has made; the same object if none.
 
         `state`, (n, 6), is the state of the bodies now, see `Batch.state`; `shift`, (n, 3), are
-        their displacements, and `least` is the smallest one that counts [m, rad].
+        their displacements, and `min_depth` is the smallest one that counts [m, rad].
         """
-        moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
-        found = self._query.more(contacts, moved, least) if moved else contacts
+        moved = np.flatnonzero((np.abs(shift) > min_depth).any(axis=1)).tolist()
+        found = self._query.updated(contacts, moved, min_depth) if moved else contacts
         return (
             contacts
             if found is contacts

@@ -126,7 +126,7 @@ class KickBuilder:
     def with_ahead(self, kick: Kick, ahead: Contacts) -> Kick:
         """Return the system with rows for contacts that close within the drift."""
         contacts = kick.contacts.followed_by(ahead)
-        layout, ends = self._layouts.anew(contacts), kick.layout.touching.ends
+        layout, ends = self._layouts.new_layout(contacts), kick.layout.touching.ends
         if ends is not None:
             warm_start = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
             layout = layout.at_ends(np.pad(warm_start, ((0, 0), (0, len(ahead.bodies)))))
@@ -145,7 +145,7 @@ class KickBuilder:
 
         `ends` tells which of the bodies of the last contacts, (2, c), touch with the end of a side.
         """
-        layout, running = self._layouts.anew(contacts), self._surfaces.running
+        layout, running = self._layouts.new_layout(contacts), self._surfaces.running
         if ends is not None and ends.any():
             layout = layout.at_ends(ends)
         return Kick.at(pose, self._joints, contacts, layout, running, course)

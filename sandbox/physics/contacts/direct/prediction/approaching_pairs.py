@@ -24,7 +24,7 @@ from sandbox.physics.contacts.detection.time_of_impact import (
     nearest,
     touching,
 )
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts, Pair, PlacedParts
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowCorner, HollowPairs
@@ -96,7 +96,7 @@ class ApproachingPairs:
         way = way * self._weights
         if self._seen is not None and contacts.bodies is self._touch:
             went = (pose.values - self._seen) * self._weights
-            if MOST * most(np.abs(went) + np.abs(way)) < self._calm:
+            if MOST * max_abs(np.abs(went) + np.abs(way)) < self._calm:
                 return []
             if not np.count_nonzero(went) and self._ahead == way.tobytes():
                 return self._found

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts
 from sandbox.physics.contacts.direct.prediction.side_end_geometry import (
     EndCrossing,
@@ -80,7 +80,7 @@ class SupportEnds:
         """
         if self._is_far(kick, way):
             return []
-        ahead = MOST * most(way * self._weights)
+        ahead = MOST * max_abs(way * self._weights)
         if ahead < LEAST:
             return []
         there, bears = Coordinates(kick.pose.values + way), forces[kick.layout.gaps] > 0
@@ -98,12 +98,12 @@ class SupportEnds:
         if touching is not self._touching:
             return False
         went = (kick.pose.values + way - self._seen) * self._weights
-        if MOST * most(went) >= self._calm:
+        if MOST * max_abs(went) >= self._calm:
             (a, b), plane, turns = touching.bodies, planes(went), np.abs(angles(went))
             goes = np.abs(plane[a] - plane[b]) + turns[a] + turns[b]
             if goes.max(initial=0.0) >= self._calm:
                 return False
-        if self._tips is None or most(angles(went)) < NEAR:
+        if self._tips is None or max_abs(angles(went)) < NEAR:
             return True
         return bool(np.abs(_tips(kick) - self._tips).max() < NEAR)
 

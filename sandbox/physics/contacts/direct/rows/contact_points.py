@@ -57,7 +57,7 @@ class ContactPoints(NamedTuple):
 
     @classmethod
     def between(
-        cls, contacts: Contacts, rubs: Booleans, figures: Figures, moves: Booleans
+        cls, contacts: Contacts, has_friction: Booleans, figures: Figures, moves: Booleans
     ) -> "ContactPoints":
         """Return the points of contacts: the first points of all contacts, then the second ones.
 
@@ -67,7 +67,7 @@ class ContactPoints(NamedTuple):
         count, two = len(contacts.bodies), np.flatnonzero(contacts.touches == 2)
         pair = np.concatenate((np.arange(count), two))
         point = np.repeat((0, 1), (count, len(two)))
-        bodies, rubbing = contacts.bodies[pair].T.copy(), np.flatnonzero(rubs)
+        bodies, rubbing = contacts.bodies[pair].T.copy(), np.flatnonzero(has_friction)
         rows = np.concatenate((np.arange(len(pair)), rubbing))
         held, everything = bodies[:, rows], figures.of(bodies)
         into, yields = _into(held, len(moves) + 1), moves[bodies[0]] & ~moves[bodies[1]]

@@ -33,13 +33,13 @@ class FollowedContact(NamedTuple):
     """A contact on a curve, at some position.
 
     `gap` and `slip` are V and S above [m], and `normal` is n, from the curve to P, along the axes
-    of the curve's body. `share` is (1 − κ δ0) / (1 − κ δ).
+    of the curve's body. `fraction` is (1 − κ δ0) / (1 − κ δ).
     """
 
     gap: float
     slip: float
     normal: complex
-    share: float
+    fraction: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,8 +69,8 @@ class CurveContact:
         apart = dot(pose - foot.point, left)
         turned = phase(foot.tangent / first.tangent)
         way = self.course.length(first.parameter, foot.parameter) - self.start * turned
-        share = (1 - foot.curvature * self.start) / (1 - foot.curvature * apart)
-        return FollowedContact(self.hand * apart, -self.hand * way, self.hand * left, share)
+        fraction = (1 - foot.curvature * self.start) / (1 - foot.curvature * apart)
+        return FollowedContact(self.hand * apart, -self.hand * way, self.hand * left, fraction)
 
     @property
     def center(self) -> complex:
@@ -146,20 +146,25 @@ def follow_curves(
         found = one.evaluate(way / turned)
         gap[one.point], slip[one.point] = found.gap, found.slip
         along[one.point] = one.sign * found.normal * turned
-        across[one.point] = 1j * along[one.point] * found.share
+        across[one.point] = 1j * along[one.point] * found.fraction
         own[one.point] = way
 
 
 def roll_on_curves(
-    curved: Sequence[CurveContact], faces: Booleans, rubs: Integers, figures: Figures, rolls: Array
+    curved: Sequence[CurveContact],
+    faces: Booleans,
+    friction_points: Integers,
+    figures: Figures,
+    rolls: Array,
 ) -> None:
     """Set the radii by which the angles of bodies count in the slip on curves.
 
-    `faces`, (k,), tells whether a straight side touches there, and `rubs`, (f,), are the points
-    with friction. `rolls`, (2, f), are the radii of the first bodies and the second ones [m].
+    `faces`, (k,), tells whether a straight side touches there, and `friction_points`, (f,), are the
+    points with friction. `rolls`, (2, f), are the radii of the first bodies and the second ones
+    [m].
     """
     for one in curved:
-        slip = rubs == one.point
+        slip = friction_points == one.point
         radius = one.radius
         if faces[one.point]:
             radius = -1 / abs(one.foot.curvature) - figures.rounding[one.curve]

@@ -206,11 +206,11 @@ class Layouts:
         """Return the layout for some contacts, and remember it."""
         count, last = len(self._joints.added), self._last
         same = last is not None and last[1] == count and _alike_in(last[0], contacts)
-        layout = last[2] if last and same else self.anew(contacts)
+        layout = last[2] if last and same else self.new_layout(contacts)
         self._last = contacts, count, layout
         return layout
 
-    def anew(self, contacts: Contacts) -> Layout:
+    def new_layout(self, contacts: Contacts) -> Layout:
         """Return the layout for some contacts without remembering it."""
         return lay_out(contacts, self._joints, self._surfaces, self._moves)
 

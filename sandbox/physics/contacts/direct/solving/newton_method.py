@@ -13,7 +13,7 @@ from sandbox.physics.contacts.direct.complementarity.mixed_complementarity impor
     solve,
     solve_one,
 )
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Island, Layout
 from sandbox.physics.engine.space_arrays import Booleans, Integers
@@ -58,9 +58,9 @@ def newton(
         if not np.count_nonzero(moves):
             return impulse, motion + impulse.dot(kick.response), active
         left = layout.around(moves)
-        if rounds.vain(held, most(missed[held.on])):
+        if rounds.vain(held, max_abs(missed[held.on])):
             break
-    raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
+    raise failure(kick, int(np.where(active.on, missed, 0.0).argmax()))
 
 
 def _with_settled(
@@ -165,9 +165,9 @@ def _solve_island(
     try:
         return solve(problem, delassus, free, guess, kick.velocity_rounding, lets)
     except Unsolvable as error:
-        raise lost(kick, int(rows[error.row])) from None
+        raise failure(kick, int(rows[error.row])) from None
     except np.linalg.LinAlgError:
-        raise lost(kick, int(rows[0])) from None
+        raise failure(kick, int(rows[0])) from None
 
 
 def _solve_alone(
@@ -189,11 +189,11 @@ def _solve_alone(
         try:
             found.append(solve_one(delassus, wrong, blur, allowed))
         except Unsolvable:
-            raise lost(kick, int(row)) from None
+            raise failure(kick, int(row)) from None
     return found
 
 
-def lost(kick: Kick, row: int) -> JointFailure | NoForces:
+def failure(kick: Kick, row: int) -> JointFailure | NoForces:
     """Return the error for a row without a solution."""
     touching, gaps = kick.layout.touching, kick.layout.gaps
     if row < gaps.start:

@@ -80,7 +80,7 @@ class OverlapCorrection:
         layout, depths = kick.layout, kick.contacts.depths.take(kick.layout.touching.number)
         lifts = (kick.rows(shift).total - wanted)[layout.gaps]
         holds = np.zeros(len(wanted), dtype=bool)
-        holds[layout.gaps] = self._warm_start.pressed(kick) & (
+        holds[layout.gaps] = self._warm_start.was_loaded(kick) & (
             lifts > np.maximum(depths - PROUD, 0.0)
         )
         if not np.count_nonzero(holds):
@@ -101,11 +101,11 @@ class OverlapCorrection:
         if not correction or not np.count_nonzero(deep > 0):
             return None
         parts = kick.rows_at_start.jacobian[layout.gaps] @ leaving
-        parts[self._warm_start.pressed(kick)] = (
+        parts[self._warm_start.was_loaded(kick)] = (
             0.0  # rolling bodies separate a little: their paths bend
         )
         back = correction * deep - np.maximum(parts, 0.0)
-        back = np.where(self._warm_start.met(kick) & (back > NOTHING), back, 0.0)
+        back = np.where(self._warm_start.existed(kick) & (back > NOTHING), back, 0.0)
         return back if back.any() else None
 
     def _start(self, layout: Layout) -> Active:

@@ -11,7 +11,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
@@ -90,7 +90,7 @@ class WarmStart:
         """The last kick, and the forces before it, (r,) [N]; None if other rows held then."""
         return (self._known, self._past[1]) if self._known and len(self._past) > 1 else None
 
-    def pressed(self, kick: Kick) -> Booleans:
+    def was_loaded(self, kick: Kick) -> Booleans:
         """Return which gaps had a normal force in the last kick: (k,)."""
         if known := self._recalled(kick):
             return np.asarray(known.force > 0)
@@ -100,7 +100,7 @@ class WarmStart:
             force[gap] = self._known.force[old]
         return np.asarray(force > 0)
 
-    def met(self, kick: Kick) -> Booleans:
+    def existed(self, kick: Kick) -> Booleans:
         """Return which gaps existed in the last kick: (k,)."""
         if self._recalled(kick):
             return np.ones(len(kick.layout.touching.pair), dtype=bool)
@@ -114,8 +114,8 @@ class WarmStart:
         if len(self._past) < 3:
             return last
         _, before, first = self._past
-        bend = most(last - 2 * before + first)
-        return parabola(self._past) if bend <= SMOOTH * most(last - before) else last
+        bend = max_abs(last - 2 * before + first)
+        return parabola(self._past) if bend <= SMOOTH * max_abs(last - before) else last
 
     def _recalled(self, kick: Kick) -> LastKick | None:
         """Return the last kick, if it had the same contacts."""

@@ -99,11 +99,11 @@ def in_two(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every drift be taken in two parts."""
 
     def refuse(
-        kick: Kick, start: KickStart, known: WarmStart, *, placed: bool = False
+        kick: Kick, start: KickStart, warm_start: WarmStart, *, placed: bool = False
     ) -> KickResult:
         if kick.joints.drift == start.step and start.lead > 0:
             raise NoForces(0, 1)
-        return solve_kick(kick, start, known, placed=placed)
+        return solve_kick(kick, start, warm_start, placed=placed)
 
     def together(direct: DirectSolver, _until: float) -> None:
         direct._solve_all()
