@@ -72,9 +72,9 @@ class FalseContacts:
         )
 
 
-def _reach(contacts: Contacts, pose: Array, way: Array) -> Array:
+def _reach(contacts: Contacts, pose: Array, displacement: Array) -> Array:
     """Return the largest overlaps that a step can cause: (k,) [m]."""
     arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - pose[contacts.bodies], 2, 0))
-    motion = way[contacts.bodies]
+    motion = displacement[contacts.bodies]
     ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]
     return np.asarray(FURTHER * ways.sum(axis=1) + QUADRATIC)

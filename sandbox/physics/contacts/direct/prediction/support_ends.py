@@ -68,22 +68,22 @@ class SupportEnds:
         self._weights = np.concatenate((np.ones(2 * len(arms) + 2), arms, (0.0,)))
         self._touching: ContactPoints | None = None  # the points at the last search
         self._tips: Plane | None = None  # those opposite to sides, if they may change
-        self._seen = self._weights  # the positions then
-        self._calm = 0.0  # how far all points were from the ends of sides [m]
+        self._last_positions = self._weights  # the positions then
+        self._clearance = 0.0  # how far all points were from the ends of sides [m]
 
-    def passing(self, kick: Kick, way: Array, forces: Array) -> list[EndCrossing]:
+    def passing(self, kick: Kick, displacement: Array, forces: Array) -> list[EndCrossing]:
         """Return the contacts that pass the end of a side within a drift.
 
-        Only those that bear a force, or that would overlap at its end beside the corner. `way`,
-        (3 N,), are the displacements in the drift [m, rad], and `forces`, (r,), are those of the
-        kick's rows [N].
+        Only those that bear a force, or that would overlap at its end beside the corner.
+        `displacement`, (3 N,), are the displacements in the drift [m, rad], and `forces`, (r,), are
+        those of the kick's rows [N].
         """
-        if self._is_far(kick, way):
+        if self._is_far(kick, displacement):
             return []
-        ahead = MOST * max_abs(way * self._weights)
+        ahead = MOST * max_abs(displacement * self._weights)
         if ahead < LEAST:
             return []
-        there, bears = Coordinates(kick.pose.values + way), forces[kick.layout.gaps] > 0
+        there, bears = Coordinates(kick.pose.values + displacement), forces[kick.layout.gaps] > 0
         return [
             one
             for one in self._all(kick, ahead)
@@ -92,18 +92,18 @@ class SupportEnds:
             and (bears[one.gap] or _comes_down(kick, one, there))
         ]
 
-    def _is_far(self, kick: Kick, way: Array) -> bool:
+    def _is_far(self, kick: Kick, displacement: Array) -> bool:
         """Return whether all points certainly stay clear of the ends of sides in a drift."""
         touching = kick.layout.touching
         if touching is not self._touching:
             return False
-        went = (kick.pose.values + way - self._seen) * self._weights
-        if MOST * max_abs(went) >= self._calm:
-            (a, b), plane, turns = touching.bodies, planes(went), np.abs(angles(went))
+        change = (kick.pose.values + displacement - self._last_positions) * self._weights
+        if MOST * max_abs(change) >= self._clearance:
+            (a, b), plane, turns = touching.bodies, planes(change), np.abs(angles(change))
             goes = np.abs(plane[a] - plane[b]) + turns[a] + turns[b]
-            if goes.max(initial=0.0) >= self._calm:
+            if goes.max(initial=0.0) >= self._clearance:
                 return False
-        if self._tips is None or max_abs(angles(went)) < NEAR:
+        if self._tips is None or max_abs(angles(change)) < NEAR:
             return True
         return bool(np.abs(_tips(kick) - self._tips).max() < NEAR)
 
@@ -161,7 +161,7 @@ class SupportEnds:
     def _all(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may pass an end in a drift, given a bound of their way [m]."""
         touching = kick.layout.touching
-        self._touching, self._seen, self._calm = touching, kick.pose.values, inf
+        self._touching, self._last_positions, self._clearance = touching, kick.pose.values, inf
         corners = np.count_nonzero(self._sides.any[touching.bodies].all(axis=0))
         self._tips = _tips(kick) if corners else None
         if not len(touching.pair):
@@ -172,7 +172,7 @@ class SupportEnds:
             yield from self._coming(kick, ahead, one, tip)
             line = self._lines.get(one.bodies[0])
             if line and ((one.gap, one.bodies[0]) in on or line.has_center(tip)):
-                yield from self._off(kick, ahead, one, line)
+                yield from self._line_exits(kick, ahead, one, line)
 
     def _leaving(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may leave a side in a drift; see `_all`."""
@@ -227,7 +227,7 @@ class SupportEnds:
             if -NEAR < left < ahead and dot(one.point_on_side(kick.pose) - foot, normal) > 0:
                 yield one
 
-    def _off(
+    def _line_exits(
         self, kick: Kick, ahead: float, passing: EndCrossing, line: Line
     ) -> Iterator[EndCrossing]:
         """Yield a contact for each end of an arc or a curve at which it may leave; see `_all`."""
@@ -242,7 +242,7 @@ class SupportEnds:
 
     def _note(self, left: float) -> None:
         """Note how far a point is from passing [m]."""
-        self._calm = max(0.0, min(self._calm, left))
+        self._clearance = max(0.0, min(self._clearance, left))
 
 
 def _comes_down(kick: Kick, one: EndCrossing, there: Coordinates) -> bool:

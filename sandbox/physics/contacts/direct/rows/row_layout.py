@@ -253,11 +253,11 @@ def _refuse_large(parts: Sequence[Island], touching: ContactPoints) -> None:
     if sum(len(part.rows) ** 3 for part in parts) <= MOST_ROWS**3:
         return
     body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
-    most = max(len(part.rows) for part in parts)
+    limit = max(len(part.rows) for part in parts)
     reason = Message(
         "{count:,} constraints of contacts and joints are coupled, but at most {most:,} can be"
         " solved directly: let fewer bodies touch, or leave out the 'solver' \"direct\"",
-        count=most,
+        count=limit,
         most=MOST_ROWS,
     )
     raise SystemTooLarge(body, reason)
