@@ -81,14 +81,14 @@ def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
     """
     body = shape.body
     assert body
-    pose, depths = body.position, list[float]()
+    position, depths = body.position, list[float]()
     for way in ((NUDGE, 0), (-NUDGE, 0), (0, NUDGE), (0, -NUDGE)):
-        body.position = pose + way
+        body.position = position + way
         shape.cache_bb()
         found = shape.shapes_collide(other)
         if found.normal != (0, 0):
             depths.append(_depth(found))
-    body.position = pose
+    body.position = position
     shape.cache_bb()
     return min(depths, default=0.0)
 
@@ -167,9 +167,9 @@ def contacts_of(found: dict[tuple[int, int], list[ShapeContact]]) -> Contacts:
     count = len(rows)
     points, depths = np.zeros((count, 2), dtype=complex), np.zeros((count, 2))
     for row, (_, contact) in enumerate(rows):
-        for pose, (here, there) in enumerate(contact.points):
-            points[row, pose] = (here + there) / 2
-            depths[row, pose] = dot(here - there, contact.normal)
+        for index, (here, there) in enumerate(contact.points):
+            points[row, index] = (here + there) / 2
+            depths[row, index] = dot(here - there, contact.normal)
     normals = np.array([contact.normal for _, contact in rows])
     return NO_CONTACTS._replace(
         bodies=np.array([pair for pair, _ in rows], dtype=np.intp),

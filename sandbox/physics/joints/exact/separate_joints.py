@@ -93,12 +93,12 @@ class Bead:
         `JointFailure` if the wire ends, or bends too sharply for a step.
         """
         x, y, u, v, *plane = self._pair.read()
-        pose, motion = complex(x, y) - self._origin, complex(u, v)
-        reply = self._wire.near(pose)[1] * self._inverse
+        position, motion = complex(x, y) - self._origin, complex(u, v)
+        reply = self._wire.near(position)[1] * self._inverse
         back = reply.conjugate()
         impulse = guess
         for _ in range(MAX_ITERATIONS):
-            distance, normal = self._wire.near(pose + drift * (motion - impulse * reply))
+            distance, normal = self._wire.near(position + drift * (motion - impulse * reply))
             impulse += (distance - length) / (drift * (back * normal).real)
             if abs(distance - length) <= QUADRATIC:
                 break

@@ -108,7 +108,7 @@ class PartSolver:
         """Return the end of a part, before any impact.
 
         These are the rows of the bodies that are `reached`, the velocities, and the stage up to
-        there; see `_struck`.
+        there; see `DriftCutter._struck`.
         """
         mine, others, drive = others_of(part, self._laws, self.reached)
         some = replace(part.kick, layout=part.kick.layout.around(mine))

@@ -118,7 +118,7 @@ class SolvedDrift(NamedTuple):
         return self.first.impulse + self.missing * self.first.forces
 
     def drift_record(self, start: Array, order: Integers) -> DividedDrift:
-        """Return it for the rest of the step, from `positions`, (n, 3) [m, rad]."""
+        """Return it for the rest of the step, from the pose `start`, (n, 3) [m, rad]."""
         first, lost = self.first, self.missing
         kick, moved = first.kick, first.velocity
         forces = first.forces.dot(kick.response)

@@ -128,8 +128,8 @@ class KickBuilder:
         contacts = kick.contacts.followed_by(ahead)
         layout, ends = self._layouts.new_layout(contacts), kick.layout.touching.ends
         if ends is not None:
-            warm_start = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
-            layout = layout.at_ends(np.pad(warm_start, ((0, 0), (0, len(ahead.bodies)))))
+            first_ends = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
+            layout = layout.at_ends(np.pad(first_ends, ((0, 0), (0, len(ahead.bodies)))))
         running, closes = self._surfaces.running, kick.closing_count + len(ahead.bodies)
         course = Course(kick.lengths_before, kick.lengths_after, kick.t)
         return Kick.at(kick.pose, self._joints, contacts, layout, running, course, closes)

@@ -69,14 +69,14 @@ class ConvexPart(NamedTuple):
         """The largest distance of its corners from the body's centre of mass [m]."""
         return max(map(abs, self.corners))
 
-    def placed(self, pose: complex, turned: complex) -> "ConvexPart":
+    def placed(self, position: complex, turned: complex) -> "ConvexPart":
         """Return it in the plane, with its body at a place and rotated."""
         return ConvexPart(
-            [pose + corner * turned for corner in self.corners],
+            [position + corner * turned for corner in self.corners],
             [normal * turned for normal in self.normals],
             self.lengths,
             self.rounding,
-            pose + self.middle * turned,
+            position + self.middle * turned,
             self.radius,
         )
 

@@ -61,7 +61,7 @@ class ContactPoints(NamedTuple):
     ) -> "ContactPoints":
         """Return the points of contacts: the first points of all contacts, then the second ones.
 
-        `friction_points`, (c,), tells which contacts have friction, and `moves`, (n,), which bodies
+        `has_friction`, (c,), tells which contacts have friction, and `moves`, (n,), which bodies
         are dynamic; `figures` are the outlines of all bodies.
         """
         count, two = len(contacts.bodies), np.flatnonzero(contacts.touches == 2)

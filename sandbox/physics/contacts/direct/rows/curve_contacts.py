@@ -62,11 +62,11 @@ class CurveContact:
     start: float
     radius: float
 
-    def evaluate(self, pose: complex) -> FollowedContact:
+    def evaluate(self, position: complex) -> FollowedContact:
         """Return the contact with P at a place, along the axes of the curve's body."""
-        first, foot = self.foot, self.course.foot_point_near(pose, self.foot.parameter)
+        first, foot = self.foot, self.course.foot_point_near(position, self.foot.parameter)
         left = 1j * foot.tangent
-        apart = dot(pose - foot.point, left)
+        apart = dot(position - foot.point, left)
         turned = phase(foot.tangent / first.tangent)
         way = self.course.length(first.parameter, foot.parameter) - self.start * turned
         fraction = (1 - foot.curvature * self.start) / (1 - foot.curvature * apart)
@@ -101,14 +101,14 @@ def on_curves(
         for curve, other, sign in ((a, b, 1), (b, a, -1)):
             if course := figures.courses.get(curve):
                 out = complex(normal[point]) * sign
-                on_curve, pose = (complex(side[point]) for side in points[::sign])
+                on_curve, position = (complex(side[point]) for side in points[::sign])
                 if radius := figures.radius[other]:
-                    pose = complex(placed[0][other])
+                    position = complex(placed[0][other])
                 else:
                     radius = figures.rounding[other]
-                    pose += out * radius
+                    position += out * radius
                 where, turned = (complex(values[curve]) for values in placed)
-                touched, at = (on_curve - where) / turned, (pose - where) / turned
+                touched, at = (on_curve - where) / turned, (position - where) / turned
                 near = course.foot_point(touched) or _end(course, touched, figures.rounding[curve])
                 if near:
                     foot = course.foot_point_near(at, near.parameter)

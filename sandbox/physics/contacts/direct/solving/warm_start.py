@@ -141,8 +141,8 @@ class WarmStart:
             keys, old_keys = _keys(touching), _keys(before)
             for gap, old in _same(keys, old_keys):
                 force[gap], on[gap] = old_force[old], old_on[old]
-            for pose, old in _same(_rubbing(touching, keys), _rubbing(before, old_keys)):
-                along[pose], slip[pose] = old_along[old], known.active.slip[old]
+            for index, old in _same(_rubbing(touching, keys), _rubbing(before, old_keys)):
+                along[index], slip[index] = old_along[old], known.active.slip[old]
         return force, along, on, slip
 
     def _same(self, kick: Kick) -> list[tuple[int, int]]:
@@ -164,8 +164,8 @@ def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array
 
 def _same(new: list[Key], old: list[Key]) -> list[tuple[int, int]]:
     """Return the indices of keys that there are in both lists, in each of them."""
-    places = {key: pose for pose, key in enumerate(old)}
-    return [(pose, places[key]) for pose, key in enumerate(new) if key in places]
+    places = {key: index for index, key in enumerate(old)}
+    return [(index, places[key]) for index, key in enumerate(new) if key in places]
 
 
 def _rubbing(touching: ContactPoints, keys: list[Key]) -> list[Key]:
