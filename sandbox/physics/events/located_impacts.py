@@ -108,28 +108,29 @@ class ImpactLocator:
         """Start from a motion, given the velocities before its first kick and the accelerations."""
         self.pre_kick_velocity, self._first, self.impacts = velocity, acceleration, []
 
-    def cut(self, smooth: Array, struck: Array | None) -> Cut | None:
+    def cut(self, law_acceleration: Array, struck: Array | None) -> Cut | None:
         """Let bodies collide in the coming drift; return the outcome, None without impacts.
 
-        `smooth`, (n, 3), are the accelerations by gravity and force laws in the last kick;
-        `struck`, (n, 3), are the jumps of velocities by sequential impacts in it, None if pymunk
-        solves impacts. Raises `EndlessImpacts` if bodies collide more often than can be followed.
+        `law_acceleration`, (n, 3), are the accelerations by gravity and force laws in the last
+        kick; `struck`, (n, 3), are the jumps of velocities by sequential impacts in it, None if
+        pymunk solves impacts. Raises `EndlessImpacts` if bodies collide more often than can be
+        followed.
         """
         state = self._batch.state()
         pose, drifts = state[:, :3], state[:, 3:].copy()
         total = self._total(drifts, struck)
         self._first, self.impacts = None, []
-        bend = np.maximum(np.abs(smooth), np.abs(total))
+        bend = np.maximum(np.abs(law_acceleration), np.abs(total))
         near = self._near(pose, pose + drifts * self._dt, bend * self._dt**2)
         velocity_before, self.pre_kick_velocity = self.pre_kick_velocity, drifts
         if not len(near):
             return None
-        acceleration = self._acceleration(smooth, total)
+        acceleration = self._acceleration(law_acceleration, total)
         if struck is None:
-            self._without_impacts(acceleration, smooth, pose, (velocity_before, drifts))
+            self._without_impacts(acceleration, law_acceleration, pose, (velocity_before, drifts))
         path = Path(pose, drifts - acceleration * (self._dt / 2), acceleration)
         self._extra_momentum = np.zeros(3)
-        self._solve_in_order(path, near, smooth * self._dt)
+        self._solve_in_order(path, near, law_acceleration * self._dt)
         return self._hand_over(path, state, acceleration) if self.impacts else None
 
     def _total(self, drifts: Array, struck: Array | None) -> Array:
@@ -216,21 +217,27 @@ class ImpactLocator:
         at, there = ((complex(x, y), rect(1, angle)) for x, y, angle in pose[rows].tolist())
         return self._gates.lets_pass_at(rows[0], rows[1], at, there)
 
-    def _acceleration(self, smooth: Array, total: Array) -> Array:
+    def _acceleration(self, law_acceleration: Array, total: Array) -> Array:
         """Return the accelerations of the last kick; for free bodies, those of the force laws.
 
         These have no rounding error.
         """
         tied = self._held.copy()
         tied[self._batch.contacts().bodies] = True
-        return np.where(tied[:, None], total, smooth)
+        return np.where(tied[:, None], total, law_acceleration)
 
     def _without_impacts(
-        self, acceleration: Array, smooth: Array, pose: Array, velocities: tuple[Array, Array]
+        self,
+        acceleration: Array,
+        law_acceleration: Array,
+        pose: Array,
+        velocities: tuple[Array, Array],
     ) -> None:
         """Remove the effect of pymunk's impacts in the last kick from the accelerations."""
         contacts, solid = self._batch.contacts(), self._joints.joined
-        hit, onwards = impacts(contacts, solid, pose, *velocities, smooth, self._mass, self._dt)
+        hit, onwards = impacts(
+            contacts, solid, pose, *velocities, law_acceleration, self._mass, self._dt
+        )
         acceleration[hit] = onwards
 
     def _solve_in_order(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:

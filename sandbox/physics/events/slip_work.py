@@ -112,14 +112,14 @@ class SlipEntries(NamedTuple):
 
 
 def slip_entries(
-    phases: Sequence[Phase], inertia: Array, smooth: Array, running: Array, dt: float
+    phases: Sequence[Phase], inertia: Array, law_acceleration: Array, running: Array, dt: float
 ) -> SlipEntries:
     """Return the entries for the books from a drift of several phases, of length dt [s].
 
     Bodies that are not affected by an end of slipping have constant accelerations. `inertia`,
-    (n, 3), has masses, masses and moments [kg, kg m²]; `smooth`, (n, 3), are the accelerations by
-    gravity and force laws [m/s², rad/s²], and `running`, (n, 2), the velocities of the bodies'
-    running surfaces [m/s].
+    (n, 3), has masses, masses and moments [kg, kg m²]; `law_acceleration`, (n, 3), are the
+    accelerations by gravity and force laws [m/s², rad/s²], and `running`, (n, 2), the velocities of
+    the bodies' running surfaces [m/s].
     """
     first, last, half = phases[0], phases[-1], dt / 2
     pose, velocity = last.at(last.duration)
@@ -139,7 +139,7 @@ def slip_entries(
     added -= momentum(inertia * last.acceleration * half, pose)
     ways = sum(part.velocity * half + part.acceleration * (half * half / 2) for part in halves)
     change = first.acceleration - last.acceleration
-    lifted = float(np.sum(inertia * smooth * change)) * half * half / 2
+    lifted = float(np.sum(inertia * law_acceleration * change)) * half * half / 2
     return SlipEntries(begun, friction_work, works, pose - first.pose - ways, lifted, added)
 
 

@@ -122,7 +122,7 @@ class Motion:
 
 
 def meet(
-    path: Path, one: Outline, other: Outline, since: float, until: float, gives: Array
+    path: Path, one: Outline, other: Outline, start: float, until: float, velocity_changes: Array
 ) -> Hit | None:
     """Return the next impact of two shapes that approach each other; None if there is none.
 
@@ -133,11 +133,14 @@ def meet(
     that overlap at the end of a drift belongs to that drift, and comes at its end at the latest.
     Shapes that are still apart there are left to the next drift.
 
-    The times to search are from `since` to `until` [s]. `gives`, (2, n, 3), are the changes of
-    velocity by gravity and laws alone in a step, and by all forces in the rest of it [m/s, rad/s].
+    The times to search are from `start` to `until` [s]. `velocity_changes`, (2, n, 3), are the
+    changes of velocity by gravity and laws alone in a step, and by all forces in the rest of it
+    [m/s, rad/s].
     """
-    t, at_end = since, False
-    gets = [[complex(*way) for way in gives[:, o.body, :2].tolist()] for o in (one, other)]
+    t, at_end = start, False
+    gets = [
+        [complex(*way) for way in velocity_changes[:, o.body, :2].tolist()] for o in (one, other)
+    ]
     for _ in range(TRIES):
         here, there = Motion(path, one.body, t), Motion(path, other.body, t)
         cores = here.put(one.corners), there.put(other.corners)
@@ -147,7 +150,7 @@ def meet(
                 return None
             hit = _hit(t, (one, other), (here, there), found)
             speeds = here.velocity, there.velocity
-            rests = t == since or at_end
+            rests = t == start or at_end
             allowed = _allowed(found.normal, speeds, gets, rests=rests)
             if hit.parting < -allowed:
                 return hit

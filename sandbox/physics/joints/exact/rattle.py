@@ -12,7 +12,7 @@ enough for the error, which is of second order, and large enough against roundin
 
 
 def motion(
-    joints: JointSystem, mean: Array, smooth: Array, drift: float
+    joints: JointSystem, mean: Array, law_acceleration: Array, drift: float
 ) -> tuple[Array, Array, Array]:
     """Return velocities, accelerations and forces at the present positions.
 
@@ -23,10 +23,11 @@ def motion(
         J (a − M⁻¹ Jᵀ λ) + (dJ/dt) v = 0.
 
     Not for joints that change with time. `mean` are the mean velocities of the n bodies, (n, 3)
-    [m/s, rad/s], `smooth` the accelerations without the joints, (n, 3) [m/s², rad/s²], and `drift`
-    is the duration of a drift [s].
+    [m/s, rad/s], `law_acceleration` the accelerations without the joints, (n, 3) [m/s², rad/s²],
+    and `drift` is the duration of a drift [s].
     """
-    pose, free, driven = joints.pose(), coordinates_of(mean).values, coordinates_of(smooth).values
+    pose, free = joints.pose(), coordinates_of(mean).values
+    driven = coordinates_of(law_acceleration).values
     if joints.band:
         moves, accelerations, tension = _by_band(joints.band, pose, free, driven, drift)
     else:

@@ -65,13 +65,14 @@ class ExactJoints(ConstraintForces):
             here = self.equations.evaluate_without_memory(self.pose())
             self._check_independent(here, here.jacobian * self.inverse, self.length)
 
-    def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
+    def motion(self, mean: Array, law_acceleration: Array) -> tuple[Array, Array]:
         """Return velocities and accelerations at the present positions, and store the forces there.
 
         Not for joints that change with time. `mean` are the mean velocities, (n, 3) [m/s, rad/s],
-        and `smooth` the accelerations without the joints, (n, 3) [m/s², rad/s²]; see `rattle`.
+        and `law_acceleration` the accelerations without the joints, (n, 3) [m/s², rad/s²]; see
+        `rattle`.
         """
-        velocity, acceleration, self.tension = motion(self, mean, smooth, self.drift)
+        velocity, acceleration, self.tension = motion(self, mean, law_acceleration, self.drift)
         return velocity, acceleration
 
     def solve(self, until: float) -> None:
