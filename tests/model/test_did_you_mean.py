@@ -1,10 +1,10 @@
 """What a person probably meant."""
 
 from collections.abc import Iterable
+from difflib import get_close_matches
 
 import pytest
 
-from sandbox.model import did_you_mean as did_you_mean_module
 from sandbox.model.did_you_mean import closest, did_you_mean, suggestion
 from sandbox.model.errors import MAX_MISTAKES, brief
 from tests.model.levels import bare, mistakes
@@ -30,13 +30,13 @@ def test_many_misspelt_names_are_compared_with_many_others_no_more_than_are_told
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """400 rods to bodies that are not there took 4 s: each was compared twice with 360 names."""
-    compared, compare = list[str](), did_you_mean_module.get_close_matches
+    compared = list[str]()
 
     def counted(name: str, names: Iterable[str], n: int, cutoff: float) -> list[str]:
         compared.extend([name] if names else [])
-        return compare(name, names, n=n, cutoff=cutoff)
+        return get_close_matches(name, names, n=n, cutoff=cutoff)
 
-    monkeypatch.setattr(did_you_mean_module, "get_close_matches", counted)
+    monkeypatch.setattr("sandbox.model.did_you_mean.get_close_matches", counted)
     data = bare()
     knots = {"i": [0, 19], "j": 20}
     disc = {"shape": {"type": "disc", "radius": 0.1}, "mass": 1, "position": ["i", "j"]}

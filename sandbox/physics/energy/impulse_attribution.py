@@ -11,9 +11,9 @@ from sandbox.model.joints import bodies_of, is_exact
 from sandbox.physics.contacts.impacts.contact_work import (
     KickRecord,
     completed,
-    couples,
-    pressed,
-    rubbing,
+    contact_friction_work,
+    contact_torques,
+    normal_impulse,
 )
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
@@ -98,13 +98,13 @@ class Attribution:
         kick = KickRecord(
             jolt.t,
             0.0,
-            Instant.at(jolt.t, jolt.place, jolt.begun),
-            jolt.place[:, :2],
-            (jolt.begun + jolt.after) / 2,
+            Instant.at(jolt.t, jolt.pose, jolt.velocity_before),
+            jolt.pose[:, :2],
+            (jolt.velocity_before + jolt.velocity_after) / 2,
             self._mass,
         )
-        impulses, works = self._book_joints(kick, jolt.pulls)
-        remaining = kick.inertia * (jolt.after - jolt.begun) - impulses
+        impulses, works = self._book_joints(kick, jolt.joint_impulses)
+        remaining = kick.inertia * (jolt.velocity_after - jolt.velocity_before) - impulses
         loss = float(works.sum()) + self._book_contacts(kick, remaining, 0.0, jolt.contacts)
         if not jolt.elastic:
             self._entries.add_loss("impacts", loss)
@@ -116,7 +116,7 @@ class Attribution:
         """
         full_impulse = self._impulse(law, kick)
         impulse = np.where(kick.inertia > 0, full_impulse, 0.0)
-        self._entries.add_impulse(law.effect.name, impulse, kick.place)
+        self._entries.add_impulse(law.effect.name, impulse, kick.positions)
         if law.effect.book in ("work", "loss"):
             self._entries.add_law_work(law, kick.work(full_impulse))
         if "bodies" in self._entries.works:
@@ -131,14 +131,14 @@ class Attribution:
     def _book_rotation(self, turn: VelocityRotation, kick: KickRecord) -> Array:
         """Book the impulse of forces that turn velocities, which do no work; return it: (n, 3)."""
         impulse = np.zeros_like(self._mass)
-        change = rotation_change(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
+        change = rotation_change(turn.rate(kick.law_motion), kick.mean_velocity[:, :2], kick.length)
         impulse[:, :2] = kick.inertia[:, :2] * change
-        self._entries.add_impulse(turn.effect.name, impulse, kick.place)
+        self._entries.add_impulse(turn.effect.name, impulse, kick.positions)
         return impulse
 
     def _impulse(self, law: Law, kick: KickRecord) -> Array:
         wrench = np.zeros_like(self._mass)
-        exert(law, kick.seen, wrench)
+        exert(law, kick.law_motion, wrench)
         return wrench * kick.length
 
     def _book_joints(self, kick: KickRecord, joint_forces: JointForces) -> tuple[Array, Array]:
@@ -146,15 +146,17 @@ class Attribution:
 
         The works of driven joints are booked here, and returned as 0.
         """
-        prescribed = np.where(kick.inertia[:, :1] == 0, kick.mean, 0.0)  # of kinematic bodies
+        prescribed = np.where(
+            kick.inertia[:, :1] == 0, kick.mean_velocity, 0.0
+        )  # of kinematic bodies
         drives = joint_forces.changes | (joint_forces.jacobian * prescribed != 0).any(axis=(1, 2))
         impulses = -joint_forces.tension[:, None, None] * joint_forces.jacobian
         impulses = np.where(kick.inertia > 0, impulses, 0.0)
-        works = np.sum(impulses * kick.mean, axis=(1, 2))
+        works = np.sum(impulses * kick.mean_velocity, axis=(1, 2))
         if "joints" in self._entries.works:
             self._entries.works["joints"] += float(works[drives].sum())
         total: Array = impulses.sum(axis=0)
-        self._entries.add_impulse("supports", total, kick.place)
+        self._entries.add_impulse("supports", total, kick.positions)
         return total, np.where(drives, 0.0, works)
 
     def _book_pymunk_joints(self, kick: KickRecord, remaining: Array, contacts: Contacts) -> Array:
@@ -164,9 +166,9 @@ class Attribution:
             return impulse
         for row in self._pymunk_jointed:
             impulse[row] = remaining[row]
-            impulse[row, :2] -= pressed(contacts, row)
+            impulse[row, :2] -= normal_impulse(contacts, row)
         impulse[kick.inertia == 0] = 0.0
-        self._entries.add_impulse("supports", impulse, kick.place)
+        self._entries.add_impulse("supports", impulse, kick.positions)
         if self._has_drives:
             self._entries.works["joints"] += kick.work(impulse)
         return impulse
@@ -175,17 +177,17 @@ class Attribution:
         self, kick: KickRecord, contacts: Contacts, impulse: Array
     ) -> Array | float:
         """Return the torques of contacts, (k,), if a kinematic body turns in one; else 0."""
-        turns = (self._mass[:, 2] == 0) & (kick.mean[:, 2] != 0)
+        turns = (self._mass[:, 2] == 0) & (kick.mean_velocity[:, 2] != 0)
         if not turns[contacts.bodies].any():
             return 0.0
-        return couples(contacts, impulse, kick.place, kick.inertia)
+        return contact_torques(contacts, impulse, kick.positions, kick.inertia)
 
     def _book_sequential_impacts(self, step: StepRecord, kick: KickRecord) -> Array:
         """Book the impulses of sequential impacts, and return them: (n, 3)."""
         if step.velocity_jump is None:
             return np.zeros_like(self._mass)
         impulse = kick.inertia * step.velocity_jump
-        self._entries.add_impulse("supports", impulse, kick.place)
+        self._entries.add_impulse("supports", impulse, kick.positions)
         return impulse
 
     def _book_hand(
@@ -197,11 +199,11 @@ class Attribution:
         if hold is None:
             return impulse
         row, (x, y) = hold
-        pull = remaining[row, :2] - pressed(contacts, row)
+        pull = remaining[row, :2] - normal_impulse(contacts, row)
         impulse[row] = *pull, (x * pull[1] - y * pull[0]) * (self._mass[row, 2] > 0)
         self._entries.works["hand"] += kick.work(impulse)
         self._entries.impulses.setdefault("hand", np.zeros(3))
-        self._entries.add_impulse("hand", impulse, kick.place)
+        self._entries.add_impulse("hand", impulse, kick.positions)
         return impulse
 
     def _book_contacts(
@@ -216,12 +218,12 @@ class Attribution:
         touching = np.zeros(len(remaining), dtype=bool)
         touching[contacts.bodies] = True
         impulse = np.where(touching[:, None], remaining, 0.0)
-        self._entries.add_impulse("supports", impulse, kick.place)
+        self._entries.add_impulse("supports", impulse, kick.positions)
         pressing = kick.work(impulse)
         complete = completed(contacts, impulse)
         torques = self._contact_torques(kick, complete, impulse)
-        friction_work, drives = rubbing(
-            complete, kick.place, kick.mean, kick.inertia, self._surfaces, torques
+        friction_work, drives = contact_friction_work(
+            complete, kick.positions, kick.mean_velocity, kick.inertia, self._surfaces, torques
         )
         drives = {name: work for name, work in drives.items() if name in self._entries.works}
         contact_work = jump_work + pressing - sum(drives.values())

@@ -53,7 +53,12 @@ def kicks_within(
             t, duration, law_motion, pose[:, :2], (velocity_before + velocity_after) / 2, kicked
         )
 
-    for pose, jacobian, (duration, velocity_after, joint_impulses, contacts) in divided.between:
+    for pose, jacobian, (
+        duration,
+        velocity_after,
+        joint_impulses,
+        contacts,
+    ) in divided.kicks_between:
         record = kick(t + duration / 2, duration, pose, velocity_after)
         yield InnerKick(
             record, velocity_after - velocity_before, joint_impulses, jacobian, contacts
@@ -66,7 +71,7 @@ def before_landings(foreseen: Instant, divided: "DividedDrift", t: float, dt: fl
 
     `foreseen` is the motion that was expected in the drift; it began at `t` and lasts `dt` [s].
     """
-    velocity, half = divided.before[-1].velocity, divided.first * dt / 2
+    velocity, half = divided.stages_before[-1].velocity, divided.first_fraction * dt / 2
     pose = np.column_stack((foreseen.position, foreseen.angle))
     pose += (t - float(foreseen.t)) * velocity_of(foreseen)
     return Instant.at(t + half, pose + half * velocity, velocity)

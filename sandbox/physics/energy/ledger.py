@@ -118,7 +118,7 @@ class Ledger:
             duration, end, tension, contacts = stage
             if number or not step.divided_drift:
                 self._attribution.begin()
-            kick = moment._replace(length=duration, mean=(start + end) / 2)
+            kick = moment._replace(length=duration, mean_velocity=(start + end) / 2)
             held = forces._replace(tension=tension)
             self._attribution.book(
                 step, kick, end - start, held, contacts, None if stuck else slack
@@ -131,8 +131,8 @@ class Ledger:
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
         """Return the parts of the last kick, with impulses in place of forces."""
         dt, direct = self._step.dt, self._scene.direct
-        if direct and direct.drifts.divided:
-            return direct.drifts.divided.before
+        if direct and direct.drifts.drift_after:
+            return direct.drifts.drift_after.stages_before
         if direct and direct.stages:
             return direct.stages
         return (Stage(dt, after, tension * dt, self._kick_contacts()),)
@@ -171,7 +171,7 @@ class Ledger:
             (self._attribution.book_law(law, kick) for law in self._laws), np.zeros_like(after)
         )
         if self._scene.joints.together:
-            self._entries.add_impulse("supports", inertia * (after - before) - laws, kick.place)
+            self._entries.add_impulse("supports", inertia * (after - before) - laws, kick.positions)
 
     @property
     def balance(self) -> Balance:
@@ -209,9 +209,9 @@ class Ledger:
             self._book_events(step.events)
             return self._book_divided_drift(step.divided_drift)
         if step.events:
-            self._set_mid_drift(step.events.begun, step.events.lifted)
+            self._set_mid_drift(step.events.pre_kick_velocity, step.events.reading_shift)
             self._book_events(step.events)
-            return step.events.begun
+            return step.events.pre_kick_velocity
         if step.slip_ends:
             return self._book_slip_ends(step.slip_ends)
         if step.divided_drift:
@@ -221,14 +221,14 @@ class Ledger:
     def _coming_velocity(self) -> Array:
         """Return the velocities of the coming drift, or of its first part: (n, 3) [m/s, rad/s]."""
         direct = self._scene.direct
-        if direct and direct.drifts.divided:
-            return direct.drifts.divided.before[-1].velocity
+        if direct and direct.drifts.drift_after:
+            return direct.drifts.drift_after.stages_before[-1].velocity
         return self._scene.batch.velocity()
 
     def _first_share(self) -> float:
         """Return the length of the first part of the coming drift, as a share of the drift."""
-        direct = self._scene.direct
-        return direct.drifts.divided.first if direct and direct.drifts.divided else 1.0
+        divided = self._scene.direct and self._scene.direct.drifts.drift_after
+        return divided.first_fraction if divided else 1.0
 
     def _book_divided_drift(self, divided: "DividedDrift") -> Array:
         """Book a drift in parts; return the velocities at its end, as of a whole drift: (n, 3).
@@ -246,45 +246,45 @@ class Ledger:
                 self._joint_forces = forces, self._joint_forces[0]
             self._attribution.book(self._step, kick, change, forces, contacts, self._was_slack)
         half = self._step.dt / 2
-        self._set_mid_drift(divided.begun, divided.lifted)
-        middle = divided.end - half * divided.begun
-        self._end = Instant.at(self._step.t - half, middle, divided.begun)
-        return divided.begun
+        self._set_mid_drift(divided.pre_kick_velocity, divided.excess_energy)
+        middle = divided.end_pose - half * divided.pre_kick_velocity
+        self._end = Instant.at(self._step.t - half, middle, divided.pre_kick_velocity)
+        return divided.pre_kick_velocity
 
     def _book_impacts(self, collided: Collided) -> Array:
         """Book the impacts within the last drift; return the velocities at its end."""
         impacts = collided.impacts
-        self._set_mid_drift(collided.begun, collided.lifted)
-        self._entries.add_works(
-            {"bodies": sum(i.kinematic for i in impacts), "belt": sum(i.driven for i in impacts)}
-        )
-        self._entries.add_friction(sum(impact.rubbed for impact in impacts))
+        self._set_mid_drift(collided.pre_kick_velocity, collided.reading_shift)
+        bodies, belt = sum(i.kinematic_work for i in impacts), sum(i.belt_work for i in impacts)
+        self._entries.add_works({"bodies": bodies, "belt": belt})
+        self._entries.add_friction(sum(impact.friction_work for impact in impacts))
         if not self._attribution.elastic:
             for impact in impacts:
                 self._attribution.begin()
-                self._entries.add_loss("impacts", impact.pressed)
-        self._entries.add_support(sum((impact.given for impact in impacts), collided.pulled))
-        return collided.begun
+                self._entries.add_loss("impacts", impact.normal_work)
+        momenta = (impact.momentum for impact in impacts)
+        self._entries.add_support(sum(momenta, collided.extra_momentum))
+        return collided.pre_kick_velocity
 
     def _book_slip_ends(self, stop: SlipEntries) -> Array:
         """Book the ends of slipping in the last drift; return the velocities at its end."""
         before = self._end
-        self._set_mid_drift(stop.begun, stop.lifted)
+        self._set_mid_drift(stop.pre_kick_velocity, stop.reading_shift)
         for law in self._laws:
             wrench = np.zeros_like(self._scene.inertia)
             law.add(before, wrench)
-            self._entries.add_law_work(law, float(np.sum(wrench * stop.way)))
-        self._entries.add_works(stop.works)
-        self._entries.add_friction(stop.rubbed)
-        self._entries.add_support(stop.given)
-        return stop.begun
+            self._entries.add_law_work(law, float(np.sum(wrench * stop.extra_displacement)))
+        self._entries.add_works(stop.belt_works)
+        self._entries.add_friction(stop.friction_work)
+        self._entries.add_support(stop.momentum)
+        return stop.pre_kick_velocity
 
     def _book_events(self, happened: EventEntries) -> None:
         """Book the events in the last drift, and what forces do differently because of them."""
-        self._entries.add_works({"events": happened.switched, **happened.rubs})
-        self._entries.add_friction(happened.rubbed)
-        support_impulse = happened.given
-        for law, work, impulse in zip(self._laws, happened.worked, happened.pushed, strict=True):
+        self._entries.add_works({"events": happened.switching_energy, **happened.belt_works})
+        self._entries.add_friction(happened.friction_work)
+        support_impulse = happened.momentum
+        for law, work, impulse in zip(self._laws, happened.works, happened.momenta, strict=True):
             self._entries.add_law_work(law, work)
             if damps(law):
                 self._entries.losses["damping"] += work

@@ -41,20 +41,21 @@ Slower growth is a rising force, and is located within the drift."""
 class JointBreaking:
     """Solves the joints of a scene in a kick, and again without each joint that a blow breaks.
 
-    `joints` are solved together by `solve`, from the velocities that pymunk leaves; `borne` is the
-    breaking force of each joint that has one, by name [N], and `dt` the time step [s].
+    `joints` are solved together by `solve`, from the velocities that pymunk leaves;
+    `breaking_loads` is the breaking force of each joint that has one, by name [N], and `dt` the
+    time step [s].
     """
 
     def __init__(
         self,
         scene: Scene,
         joints: ExactJoints,
-        borne: Mapping[str, float],
+        breaking_loads: Mapping[str, float],
         dt: float,
         solve: Work,
     ) -> None:
         self._scene, self._joints, self._solve = scene, joints, solve
-        self._borne, self._dt = borne, dt
+        self._breaking_loads, self._dt = breaking_loads, dt
 
     def __call__(self, kick: Kick) -> None:
         """Solve a kick. A trial kick, of bodies that are held in place, breaks nothing."""
@@ -71,29 +72,36 @@ class JointBreaking:
     def _forces(self) -> dict[str, float]:
         """Return the size of the force of each intact joint that can break [N]."""
         holding = self._joints.equations.pulling
-        return {name: abs(self._joints.force(name)) for name in self._borne if name in holding}
+        return {
+            name: abs(self._joints.force(name)) for name in self._breaking_loads if name in holding
+        }
 
     def _broken(self, before: Mapping[str, float], velocity: Array) -> str | None:
         """Return the joint that a blow overloads most, from the last forces [N]; else None."""
         found: dict[str, float] = {}
         for name, force in self._forces().items():
             whole = force if before[name] else force * self._jerk(name, velocity)
-            if whole >= self._borne[name] and whole - before[name] > SUDDEN * self._borne[name]:
-                found[name] = whole / self._borne[name]
-        for name, share in self._struck().items():
+            if (
+                whole >= self._breaking_loads[name]
+                and whole - before[name] > SUDDEN * self._breaking_loads[name]
+            ):
+                found[name] = whole / self._breaking_loads[name]
+        for name, share in self._landing_fractions().items():
             if share >= 1:
                 found[name] = max(share, found.get(name, 0.0))
         return max(found, key=lambda name: found[name], default=None)
 
-    def _struck(self) -> dict[str, float]:
+    def _landing_fractions(self) -> dict[str, float]:
         """Return the impulses of landings in the coming drift, as shares of what joints bear."""
-        divided = self._scene.direct.drifts.divided if self._scene.direct else None
+        divided = self._scene.direct.drifts.drift_after if self._scene.direct else None
         if not divided:
             return {}
-        at_once = [one.stage.pulls for one in divided.between if one.stage.lasts == 0]
+        at_once = [
+            one.stage.joint_impulses for one in divided.kicks_between if one.stage.duration == 0
+        ]
         if not at_once:
             return {}
-        return _shares(self._scene, self._borne, self._dt, np.sum(at_once, axis=0))
+        return _load_fractions(self._scene, self._breaking_loads, self._dt, np.sum(at_once, axis=0))
 
     def _jerk(self, name: str, velocity: Array) -> float:
         """Return the ratio of the whole jerk to the share of it that a kick has given."""
@@ -104,38 +112,40 @@ class JointBreaking:
         return grew / (grew - grows) if grew > grows > 0 else 1.0
 
 
-def borne_jolt(
-    scene: Scene, t: float, borne: Mapping[str, float], dt: float, jolt: Callable[[], Jolt]
+def broken_jolt(
+    scene: Scene, t: float, breaking_loads: Mapping[str, float], dt: float, jolt: Callable[[], Jolt]
 ) -> Jolt:
     """Solve an impact of joints at a time t, in a step of dt [s], without those that it breaks.
 
-    `borne` is the breaking force of each joint that has one, by name [N]. `jolt` finds the
+    `breaking_loads` is the breaking force of each joint that has one, by name [N]. `jolt` finds the
     impulses; it is called again after each joint that breaks. Raises `JointFailure` or `NoForces`
     if no such impulses exist.
     """
     found = jolt()
-    while broken := _overloaded(scene, borne, dt, found):
+    while broken := _overloaded(scene, breaking_loads, dt, found):
         _break(scene, broken, t)
         found = jolt()
     return found
 
 
-def _overloaded(scene: Scene, borne: Mapping[str, float], dt: float, found: Jolt) -> str | None:
+def _overloaded(
+    scene: Scene, breaking_loads: Mapping[str, float], dt: float, found: Jolt
+) -> str | None:
     """Return the joint that an impact overloads most; None if there is none."""
-    shares = _shares(scene, borne, dt, found.pulls.tension)
+    shares = _load_fractions(scene, breaking_loads, dt, found.joint_impulses.tension)
     most = max(shares, key=lambda name: shares[name], default=None)
     return most if most is not None and shares[most] >= 1 else None
 
 
-def _shares(
-    scene: Scene, borne: Mapping[str, float], dt: float, impulses: Array
+def _load_fractions(
+    scene: Scene, breaking_loads: Mapping[str, float], dt: float, impulses: Array
 ) -> dict[str, float]:
     """Return the impulses of joints, from those of all equations, as shares of what they bear."""
     together = scene.joints.together
     pulling = together.equations.pulling if together else {}
     return {
         name: float(np.linalg.norm(impulses[pulling[name]])) / (dt * load)
-        for name, load in borne.items()
+        for name, load in breaking_loads.items()
         if name in pulling
     }
 

@@ -21,9 +21,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.events.breaking_at_impact import borne_jolt
+from sandbox.physics.events.breaking_at_impact import broken_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
-from sandbox.physics.events.switching_events import NEAR, Part, since
+from sandbox.physics.events.switching_events import NEAR, Part, first_time
 from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
@@ -46,8 +46,9 @@ OFTEN = Message(
 class Bounces:
     """Makes bodies bounce off the stops of a scene; n bodies, s sides of stops.
 
-    `sides` are the equations of the sides. `restitution` and `borne` hold, by name, each stop's
-    coefficient and the breaking force of each joint that has one [N]; `dt` is the time step [s].
+    `sides` are the equations of the sides. `restitution` and `breaking_loads` hold, by name, each
+    stop's coefficient and the breaking force of each joint that has one [N]; `dt` is the time step
+    [s].
     """
 
     def __init__(
@@ -55,10 +56,10 @@ class Bounces:
         scene: Scene,
         sides: JointSystem,
         restitution: Mapping[str, float],
-        borne: Mapping[str, float],
+        breaking_loads: Mapping[str, float],
         dt: float,
     ) -> None:
-        self._scene, self._sides, self._borne, self._dt = scene, sides, borne, dt
+        self._scene, self._sides, self._breaking_loads, self._dt = scene, sides, breaking_loads, dt
         self._restitution = [restitution[name] for name in sides.names]
         self._resting: set[int] = set()
         self._work = 0  # in this step, in bounces times equations
@@ -66,13 +67,18 @@ class Bounces:
 
     @classmethod
     def of(
-        cls, scene: Scene, level: Level, values: Values, borne: Mapping[str, float], dt: float
+        cls,
+        scene: Scene,
+        level: Level,
+        values: Values,
+        breaking_loads: Mapping[str, float],
+        dt: float,
     ) -> Self | None:
         """Return the bounces of a scene; None if it has no elastic stops."""
         sides = scene.joints.elastic
         restitution = dict.fromkeys(stops_without_rebound(level.joints, level.events), 0.0)
         restitution |= {name: e(values) for name, e in rebounding_stops(level.joints)}
-        return cls(scene, sides, restitution, borne, dt) if sides else None
+        return cls(scene, sides, restitution, breaking_loads, dt) if sides else None
 
     def _begin(self) -> None:
         """Hold bodies that rest at a stop at the start."""
@@ -81,14 +87,14 @@ class Bounces:
         for side in np.flatnonzero((np.abs(beyond) <= TOUCHING) & (np.abs(rate) <= TOUCHING)):
             self._hold(int(side))
         if self._resting:
-            self._together.calm()
+            self._together.end_added_impact()
 
     def release(self) -> None:
         """Begin a step: release bodies that leave the stop on which they rest."""
         self._work = 0
         for side in sorted(self._resting):
             if not self._together.tension[self._rows(side)].any():
-                self._let_go(side)
+                self._release_side(side)
 
     def _release_slack(self) -> None:
         """Release bodies that have left the stop on which they rest within this drift.
@@ -98,29 +104,29 @@ class Bounces:
         beyond = self._beyond(self._scene.batch.state()[:, :3])
         for side in sorted(self._resting):
             if beyond[side] < -(TAUT + QUADRATIC):
-                self._let_go(side)
+                self._release_side(side)
 
     def first(self, part: Part) -> tuple[int, float] | None:
         """Return the side reached first in a part of a drift, and when [s]; None if none is."""
-        states = part.state(0.0), part.state(part.lasts)
-        now, then = (self._beyond(place) for place, _ in states)
+        states = part.state(0.0), part.state(part.duration)
+        now, then = (self._beyond(pose) for pose, _ in states)
         meets = then > 0
         if not meets.any():
             return None
-        rates = [self._rate(place, velocity) for place, velocity in states]
+        rates = [self._rate(pose, velocity) for pose, velocity in states]
         waits: dict[int, float] = {}
         apart: dict[int, float] = {}  # how long sides are certainly not reached [s]
         for side in np.flatnonzero(meets).tolist():
             begins, ends = (float(rate[side]) for rate in rates)
-            if side in self._resting or (part.lasts == 0 and begins < 0):
+            if side in self._resting or (part.duration == 0 and begins < 0):
                 continue
             if begins >= 0 and now[side] >= -TOUCHING:
                 waits[side] = 0.0
                 continue
-            turns = part.lasts * begins / (begins - ends) if begins < 0 < ends else 0.0
+            turns = part.duration * begins / (begins - ends) if begins < 0 < ends else 0.0
             apart[side] = turns
-        waits |= self._reached(part, apart, min(waits.values(), default=part.lasts))
-        latest = part.lasts - NEAR * self._dt
+        waits |= self._reached(part, apart, min(waits.values(), default=part.duration))
+        latest = part.duration - NEAR * self._dt
         soon = {side: wait for side, wait in waits.items() if wait <= max(latest, 0.0)}
         return min(soon.items(), key=lambda item: item[1], default=None)
 
@@ -131,34 +137,34 @@ class Bounces:
         """
         waits: dict[int, float] = {}
         for side, low in apart.items():
-            if soonest < part.lasts and not self._is_beyond(side, part, soonest):
+            if soonest < part.duration and not self._is_beyond(side, part, soonest):
                 continue
-            waits[side] = since(partial(self._is_beyond, side, part), low, part.lasts)
+            waits[side] = first_time(partial(self._is_beyond, side, part), low, part.duration)
             soonest = min(soonest, waits[side])
         return waits
 
     def _is_beyond(self, side: int, part: Part, t: float) -> bool:
         """Return whether a side is reached at a time [s]; faster than a look at all sides."""
-        sides, place = self._sides, part.state(t)[0]
+        sides, pose = self._sides, part.state(t)[0]
         other = side - len(sides.equations.rows)
         if other < 0:
-            return bool(self._beyond(place)[side] > 0)
-        value, _ = sides.equations.others[other].look(sides.at(place))
+            return bool(self._beyond(pose)[side] > 0)
+        value, _ = sides.equations.others[other].evaluate(sides.at(pose))
         return bool(value - sides.length[side] > 0)
 
-    def rests(self, side: int, part: Part, wait: float) -> bool:
+    def would_rest(self, side: int, part: Part, wait: float) -> bool:
         """Return whether a body that reaches a stop in a part would return to it within a step.
 
         At a stop without a rebound it stays, until it is released.
         """
         if not self._restitution[side]:
             return True
-        place, velocity = part.state(wait)
-        comes = self._rate(place, velocity)[side]
-        pressed = self._rate(place, part.acceleration)[side]
+        pose, velocity = part.state(wait)
+        comes = self._rate(pose, velocity)[side]
+        pressed = self._rate(pose, part.acceleration)[side]
         return bool(2 * self._restitution[side] * comes <= pressed * self._dt)
 
-    def bounce(self, side: int, t: float, *, rests: bool) -> Jolt:
+    def respond(self, side: int, t: float, *, rests: bool) -> Jolt:
         """Let a body that reaches a side at a time t [s] bounce off it, or stay if it rests.
 
         Raises `JointFailure` if stops are met too often in a step.
@@ -174,11 +180,11 @@ class Bounces:
             row = int(np.flatnonzero(self._rows(side))[0])
             return jolt(self._scene, t, {} if rests else {row: self._restitution[side]})
 
-        found = borne_jolt(self._scene, t, self._borne, self._dt, impact)
+        found = broken_jolt(self._scene, t, self._breaking_loads, self._dt, impact)
         if rests:
-            self._together.calm()
+            self._together.end_added_impact()
         else:
-            self._let_go(side)
+            self._release_side(side)
         return found
 
     @property
@@ -196,7 +202,7 @@ class Bounces:
             self._together.add([], [equations.others[side - first]])
         self._resting.add(side)
 
-    def _let_go(self, side: int) -> None:
+    def _release_side(self, side: int) -> None:
         self._together.drop(self._sides.names[side])
         self._resting.discard(side)
         if self._scene.direct:
@@ -207,11 +213,11 @@ class Bounces:
         name = self._sides.names[side]
         return np.array([joint == name for joint in self._together.names], dtype=bool)
 
-    def _beyond(self, place: Array) -> Array:
+    def _beyond(self, pose: Array) -> Array:
         """Return how far positions, (n, 3), lie beyond the stops: (s,) [m, rad]."""
-        return self._sides.look(self._sides.at(place)).total - self._sides.length
+        return self._sides.evaluate(self._sides.at(pose)).total - self._sides.length
 
-    def _rate(self, place: Array, velocity: Array) -> Array:
+    def _rate(self, pose: Array, velocity: Array) -> Array:
         """Return the speeds of approach to the stops at those positions: (s,) [m/s, rad/s]."""
-        jacobian = self._sides.look(self._sides.at(place)).jacobian
+        jacobian = self._sides.evaluate(self._sides.at(pose)).jacobian
         return np.asarray(jacobian @ coordinates_of(velocity).values)

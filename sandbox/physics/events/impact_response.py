@@ -40,15 +40,15 @@ class Impact(NamedTuple):
     """Their contact points [m]."""
     impulse: complex
     """The impulse on the second body; the first gets the opposite [N s]."""
-    kinematic: float
+    kinematic_work: float
     """The work of kinematic bodies [J]."""
-    driven: float
+    belt_work: float
     """The work of belts [J]."""
-    rubbed: float
+    friction_work: float
     """The work of friction [J]."""
-    pressed: float
+    normal_work: float
     """The work of the normal impulses [J]."""
-    given: Array
+    momentum: Array
     """(3,), the momentum, and the angular momentum about the origin, that it added [kg m/s, kg
     m²/s]."""
 
@@ -58,13 +58,13 @@ class Collided(NamedTuple):
 
     impacts: Sequence[Impact]
     """The impacts, in order."""
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
-    lifted: float
+    reading_shift: float
     """By how much the energy read in the middle of the drift increases only because accelerations
     are smaller than before the impacts [J]: on a parabola the energy is higher by m a² dt²/8 than
     in the middle of the chord."""
-    pulled: Array
+    extra_momentum: Array
     """(3,), the momentum and angular momentum from the forces along the path, beyond those from the
     kicks before and after [kg m/s, kg m²/s]."""
 
@@ -76,7 +76,7 @@ class Bounce(NamedTuple):
     """(n,), the bodies that impulses reached."""
     jump: Array
     """(n, 3), the jumps of their velocities [m/s, rad/s]."""
-    held: Array
+    acceleration_change: Array
     """(n, 3), the change of the accelerations of bodies that rest on each other from there on
     [m/s², rad/s²]."""
     impacts: tuple[Impact, ...]
@@ -99,7 +99,7 @@ class _Points(NamedTuple):
     """(k, n, 3), the jump of the velocities by a unit impulse on each row."""
     delassus: Array
     """(k, k), the rate of each row by a unit impulse on each."""
-    runs: Array
+    belt_slip: Array
     """(k,), the slip due to running belts [m/s]."""
 
 
@@ -119,7 +119,7 @@ class Collision:
         """Return the coefficient of restitution of a hit's pair."""
         return float(self._coefficients.restitution[hit.bodies])
 
-    def bounce(self, path: Path, hits: Sequence[Hit], *, dead: bool = False) -> Bounce:
+    def respond(self, path: Path, hits: Sequence[Hit], *, dead: bool = False) -> Bounce:
         """Return the outcome of simultaneous hits along a path.
 
         Bodies that would separate for less than half a step rest on each other from there on.
@@ -128,46 +128,48 @@ class Collision:
         its coefficient.
         """
         time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
-        place, velocity = path.at(time)
+        pose, velocity = path.at(time)
         e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
-        jacobian, response, delassus, runs = self._points(hits, place, rubs=bool(mu.any()))
+        jacobian, response, delassus, runs = self._points(hits, pose, has_friction=bool(mu.any()))
         count = len(of)
         rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
-        pulls = np.einsum("knc,nc->k", jacobian[:count], path.acceleration)
+        normal_acceleration = np.einsum("knc,nc->k", jacobian[:count], path.acceleration)
         leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
-        rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
+        rises = leaves > np.maximum(-normal_acceleration, 0.0) * (self._dt / 2)
         rests = (np.bincount(of, rises) == 0)[of]
         leaves[rests] = 0.0
         impulse = _impulses(delassus, rates, leaves, mu)
         works = impulse * (rates + delassus @ impulse / 2)
         coming = rates[:count] < 0
         if not coming.all() and works[:count].sum() > 0:
-            return self.bounce(path, _only(hits, coming), dead=dead)
+            return self.respond(path, _only(hits, coming), dead=dead)
         holds = np.zeros_like(rates)
         rests &= (np.bincount(of, impulse[:count]) > 0)[of]
         if rests.any():
             block = delassus[:count, :count][np.ix_(rests, rests)]
-            holds[:count][rests] = _impulses(block, pulls[rests], np.zeros(len(block)), mu[rests])
-        lasts = (self._dt - time) - self._dt / 2
+            holds[:count][rests] = _impulses(
+                block, normal_acceleration[rests], np.zeros(len(block)), mu[rests]
+            )
+        duration = (self._dt - time) - self._dt / 2
         impacts = []
         for index, hit in enumerate(hits):
             rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
-            push, held = impulse[rows], holds[rows] * lasts
+            push, held = impulse[rows], holds[rows] * duration
             given = np.einsum("k,knc->nc", push + held, jacobian[rows])
             kinematic = -float(np.sum((given * velocity)[self._mass == 0]))
-            moved = self._momentum(push, response[rows], place)
+            moved = self._momentum(push, response[rows], pose)
             belt = -float(push @ runs[rows])
             impacts.append(_impact(hit, push, works[rows], kinematic, belt, moved))
         struck: Booleans = np.asarray(response.any(axis=(0, 2)))
         jump, onwards = (np.tensordot(sizes, response, 1) for sizes in (impulse, holds))
         return Bounce(struck, jump, onwards, tuple(impacts))
 
-    def _momentum(self, push: Array, response: Array, place: Array) -> Array:
+    def _momentum(self, push: Array, response: Array, pose: Array) -> Array:
         """Return the total momentum that impulses (k,) add: (3,)."""
-        return momentum(self._inertia * np.einsum("k,knc->nc", push, response), place)
+        return momentum(self._inertia * np.einsum("k,knc->nc", push, response), pose)
 
-    def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
-        jacobian = _jacobian(hits, place, rubs=rubs)
+    def _points(self, hits: Sequence[Hit], pose: Array, *, has_friction: bool) -> _Points:
+        jacobian = _jacobian(hits, pose, has_friction=has_friction)
         response = jacobian * self._inverse_mass
         delassus = np.einsum("knc,lnc->kl", response, jacobian)
         runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
@@ -182,20 +184,20 @@ def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
     return [hit for hit in kept if hit.points]
 
 
-def _jacobian(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
+def _jacobian(hits: Sequence[Hit], pose: Array, *, has_friction: bool) -> Array:
     """Return the Jacobian of the separation and, with friction, the slip: (k, n, 3)."""
     bodies = np.array([hit.bodies for hit in hits for _ in hit.points], dtype=np.intp)
     points = np.array([point for hit in hits for point in hit.points], dtype=complex)
     ways = np.array([hit.normal for hit in hits for _ in hit.points], dtype=complex)
-    if rubs:
+    if has_friction:
         bodies, points, ways = (
             np.tile(bodies, (2, 1)),
             np.tile(points, 2),
             np.append(ways, 1j * ways),
         )
     bodies = bodies.reshape(-1, 2)
-    arms = _vectors(points)[:, None] - place[bodies, :2]
-    return over_bodies(pair_jacobian(arms, _vectors(ways)), bodies, len(place))
+    arms = _vectors(points)[:, None] - pose[bodies, :2]
+    return over_bodies(pair_jacobian(arms, _vectors(ways)), bodies, len(pose))
 
 
 def _vectors(points: NDArray[np.complexfloating]) -> Array:
@@ -209,9 +211,9 @@ def _impact(
     """Return the impact for a hit, given impulses and works: normal before friction."""
     count = len(hit.points)
     whole = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
-    rubbed, pressed = float(works[count:].sum()), float(works[:count].sum())
+    friction_work, pressed = float(works[count:].sum()), float(works[:count].sum())
     known = hit.bodies, hit.time, hit.normal, hit.points
-    return Impact(*known, whole, kinematic, driven, rubbed, pressed, given)
+    return Impact(*known, whole, kinematic, driven, friction_work, pressed, given)
 
 
 def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:

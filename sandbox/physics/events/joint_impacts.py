@@ -31,13 +31,13 @@ class Jolt(NamedTuple):
 
     t: float
     """The time of the impact [s]."""
-    place: Array
+    pose: Array
     """(n, 3), the positions [m, rad]."""
-    begun: Array
+    velocity_before: Array
     """(n, 3), the velocities before it [m/s, rad/s]."""
-    after: Array
+    velocity_after: Array
     """(n, 3), the velocities after it [m/s, rad/s]."""
-    pulls: JointForces
+    joint_impulses: JointForces
     """The impulses of the exact joints, in place of tensions [N s]."""
     contacts: Contacts
     """The contacts, with their impulses."""
@@ -58,16 +58,16 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
     _, motion = joints.coordinates()
     bounces = bounces or {}
     leaves, out = np.zeros(len(kick.response)), np.zeros(len(kick.response), dtype=bool)
-    impulse, came = np.zeros_like(leaves), motion.values
+    impulse, approach = np.zeros_like(leaves), motion.values
     if bounces:  # velocities at an instant satisfy the constraints only to second order in dt
         out[list(bounces)] = True
-        impulse = impulses(kick, came, leaves, out)
-        came = came + impulse @ kick.response
+        impulse = impulses(kick, approach, leaves, out)
+        approach = approach + impulse @ kick.response
     for row, restitution in bounces.items():
-        leaves[row] = restitution * min(float(kick.here.jacobian[row] @ came), 0.0)
-    impulse = impulse + impulses(kick, came, leaves, np.zeros_like(out))
+        leaves[row] = restitution * min(float(kick.rows_at_start.jacobian[row] @ approach), 0.0)
+    impulse = impulse + impulses(kick, approach, leaves, np.zeros_like(out))
     state = scene.batch.state()
-    pulls = JointForces(
+    joint_impulses = JointForces(
         joints.jacobian(),
         impulse[kick.layout.joints],
         joints.pulls_only,
@@ -77,17 +77,19 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
     after = state[:, 3:] + (impulse @ kick.response)[joints.order]
     others = joints.pulls_only.sum() - len(bounces) + len(kick.contacts.bodies)
     elastic = not others and bool(bounces) and min(bounces.values()) == 1
-    return Jolt(t, state[:, :3], state[:, 3:], after, pulls, kick.pushing(impulse), elastic)
+    return Jolt(
+        t, state[:, :3], state[:, 3:], after, joint_impulses, kick.contacts_with(impulse), elastic
+    )
 
 
 def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:
     """Return the rows of all joints and contacts at the current positions."""
     course = joints.course(t, t + joints.drift)
     if scene.direct:
-        return scene.direct.standing(course)
+        return scene.direct.without_correction(course)
     count = len(scene.mass)
     none, never = np.zeros((count, count)), np.zeros((count, count), dtype=bool)
     running = np.zeros((count, 2))
     surfaces = Surfaces(Figures([]), none, none, none, running, 0.0, 0.0, never)
     layout = lay_out(NO_CONTACTS, joints, surfaces, scene.mass > 0)
-    return Kick.at(joints.place(), joints, NO_CONTACTS, layout, running, course)
+    return Kick.at(joints.pose(), joints, NO_CONTACTS, layout, running, course)

@@ -40,11 +40,11 @@ class Cut(NamedTuple):
     """The outcome of the impacts within a drift; n bodies.
 
     `jump`, (n, 3), are the jumps of the velocities at the beginning of the next kick [m/s, rad/s],
-    and `change`, (n, 3), the changes of the accelerations [m/s², rad/s²].
+    and `acceleration_change`, (n, 3), the changes of the accelerations [m/s², rad/s²].
     """
 
     jump: Array
-    change: Array
+    acceleration_change: Array
 
 
 class ImpactLocator:
@@ -54,8 +54,8 @@ class ImpactLocator:
     `held`, (n,), those held by joints of any kind. No exact joints hold bodies of the scene: where
     some do, contacts are solved directly. `dt` is the time step [s].
 
-    `impacts` are those of the last drift, and `begun`, (n, 3), the velocities at the beginning of
-    the last kick [m/s, rad/s].
+    `impacts` are those of the last drift, and `pre_kick_velocity`, (n, 3), the velocities at the
+    beginning of the last kick [m/s, rad/s].
     """
 
     def __init__(
@@ -91,83 +91,88 @@ class ImpactLocator:
         self._gates = scene.gates
         self._low, self._high = self._boxes(state)
         self._first: Array | None = None
-        self.begun = state[:, 3:]
+        self.pre_kick_velocity = state[:, 3:]
         self.impacts: list[Impact] = []
-        self._lifted, self._pulled = 0.0, np.zeros(3)
+        self._reading_shift, self._extra_momentum = 0.0, np.zeros(3)
 
     @property
     def last(self) -> Collided | None:
         """The entries for the books from the impacts in the last drift; None if there were none."""
         if not self.impacts:
             return None
-        return Collided(self.impacts, self.begun, self._lifted, self._pulled)
+        return Collided(
+            self.impacts, self.pre_kick_velocity, self._reading_shift, self._extra_momentum
+        )
 
     def begin(self, velocity: Array, acceleration: Array) -> None:
         """Start from a motion, given the velocities before its first kick and the accelerations."""
-        self.begun, self._first, self.impacts = velocity, acceleration, []
+        self.pre_kick_velocity, self._first, self.impacts = velocity, acceleration, []
 
-    def cut(self, smooth: Array, struck: Array | None) -> Cut | None:
+    def cut(self, law_acceleration: Array, struck: Array | None) -> Cut | None:
         """Let bodies collide in the coming drift; return the outcome, None without impacts.
 
-        `smooth`, (n, 3), are the accelerations by gravity and force laws in the last kick;
-        `struck`, (n, 3), are the jumps of velocities by sequential impacts in it, None if pymunk
-        solves impacts. Raises `EndlessImpacts` if bodies collide more often than can be followed.
+        `law_acceleration`, (n, 3), are the accelerations by gravity and force laws in the last
+        kick; `struck`, (n, 3), are the jumps of velocities by sequential impacts in it, None if
+        pymunk solves impacts. Raises `EndlessImpacts` if bodies collide more often than can be
+        followed.
         """
         state = self._batch.state()
-        place, drifts = state[:, :3], state[:, 3:].copy()
+        pose, drifts = state[:, :3], state[:, 3:].copy()
         total = self._total(drifts, struck)
         self._first, self.impacts = None, []
-        bend = np.maximum(np.abs(smooth), np.abs(total))
-        near = self._near(place, place + drifts * self._dt, bend * self._dt**2)
-        begun, self.begun = self.begun, drifts
+        bend = np.maximum(np.abs(law_acceleration), np.abs(total))
+        near = self._near(pose, pose + drifts * self._dt, bend * self._dt**2)
+        velocity_before, self.pre_kick_velocity = self.pre_kick_velocity, drifts
         if not len(near):
             return None
-        acceleration = self._acceleration(smooth, total)
+        acceleration = self._acceleration(law_acceleration, total)
         if struck is None:
-            self._without_impacts(acceleration, smooth, place, (begun, drifts))
-        path = Path(place, drifts - acceleration * (self._dt / 2), acceleration)
-        self._pulled = np.zeros(3)
-        self._follow(path, near, smooth * self._dt)
+            self._without_impacts(acceleration, law_acceleration, pose, (velocity_before, drifts))
+        path = Path(pose, drifts - acceleration * (self._dt / 2), acceleration)
+        self._extra_momentum = np.zeros(3)
+        self._solve_in_order(path, near, law_acceleration * self._dt)
         return self._hand_over(path, state, acceleration) if self.impacts else None
 
     def _total(self, drifts: Array, struck: Array | None) -> Array:
         """Return the accelerations of the last kick without sequential impacts: (n, 3)."""
         if self._first is not None:
             return self._first
-        total = (drifts - self.begun) / self._dt
+        total = (drifts - self.pre_kick_velocity) / self._dt
         return total if struck is None else total - struck / self._dt
 
     def _hand_over(self, path: Path, state: Array, acceleration: Array) -> Cut:
         """Give pymunk the end of a path, given the state and accelerations at its start."""
-        drifts, hit = self.begun, path.struck
-        place, velocity = path.at(self._dt)
+        drifts, hit = self.pre_kick_velocity, path.struck
+        pose, velocity = path.at(self._dt)
         onwards = path.acceleration
-        self.begun = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
-        self._compare(path, (acceleration, onwards), (state[:, :3], place))
-        state[hit, :3] = (place - self.begun * self._dt)[hit]
-        state[:, 3:] = self.begun
+        self.pre_kick_velocity = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
+        self._compare(path, (acceleration, onwards), (state[:, :3], pose))
+        state[hit, :3] = (pose - self.pre_kick_velocity * self._dt)[hit]
+        state[:, 3:] = self.pre_kick_velocity
         self._batch.set_state(state)
         change = np.where(hit[:, None], onwards - acceleration, 0.0)
-        return Cut(self.begun - drifts, change)
+        return Cut(self.pre_kick_velocity - drifts, change)
 
-    def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
+    def _compare(
+        self, path: Path, accelerations: tuple[Array, Array], places: tuple[Array, Array]
+    ) -> None:
         """Set the entries of the energy and momentum books for the middle of a drift.
 
         They follow from the accelerations and positions at the kicks before and after it.
         """
         half, struck = self._dt / 2, path.struck[:, None]
-        before, after = (np.where(struck, acceleration, 0.0) for acceleration in pulls)
+        before, after = (np.where(struck, acceleration, 0.0) for acceleration in accelerations)
         less = before * before - after * after
-        self._lifted = float(np.sum(self._inertia * less)) * half * half / 2
-        self._pulled += self._given(path, self._dt, path.struck)
-        for acceleration, place in zip((before, after), places, strict=True):
-            self._pulled -= momentum(self._inertia * acceleration * half, place)
+        self._reading_shift = float(np.sum(self._inertia * less)) * half * half / 2
+        self._extra_momentum += self._added_momentum(path, self._dt, path.struck)
+        for acceleration, pose in zip((before, after), places, strict=True):
+            self._extra_momentum -= momentum(self._inertia * acceleration * half, pose)
 
-    def _given(self, path: Path, t: float, bodies: Booleans) -> Array:
+    def _added_momentum(self, path: Path, t: float, bodies: Booleans) -> Array:
         """Return the momentum by accelerations of some bodies since their last impacts: (3,)."""
-        lasted = np.where(bodies, t - path.since, 0.0)[:, None]
+        lasted = np.where(bodies, t - path.start, 0.0)[:, None]
         given = self._inertia * path.acceleration * lasted
-        return momentum(given, path.place + path.velocity * (lasted / 2))
+        return momentum(given, path.pose + path.velocity * (lasted / 2))
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
         """Return the bounding boxes of shapes relative to their bodies: corners (s, 2) each."""
@@ -204,32 +209,38 @@ class ImpactLocator:
         near = list(zip(a[meet].tolist(), b[meet].tolist(), strict=True))
         return [pair for pair in near if not self._is_let(pair, start)]
 
-    def _is_let(self, pair: tuple[int, int], place: Array) -> bool:
+    def _is_let(self, pair: tuple[int, int], pose: Array) -> bool:
         """Return whether one of two shapes lets the other pass from positions, (n, 3)."""
         if self._gates is None:
             return False
         rows = [self._outlines[shape].body for shape in pair]
-        at, there = ((complex(x, y), rect(1, angle)) for x, y, angle in place[rows].tolist())
-        return self._gates.lets_at(rows[0], rows[1], at, there)
+        at, there = ((complex(x, y), rect(1, angle)) for x, y, angle in pose[rows].tolist())
+        return self._gates.lets_pass_at(rows[0], rows[1], at, there)
 
-    def _acceleration(self, smooth: Array, total: Array) -> Array:
+    def _acceleration(self, law_acceleration: Array, total: Array) -> Array:
         """Return the accelerations of the last kick; for free bodies, those of the force laws.
 
         These have no rounding error.
         """
         tied = self._held.copy()
         tied[self._batch.contacts().bodies] = True
-        return np.where(tied[:, None], total, smooth)
+        return np.where(tied[:, None], total, law_acceleration)
 
     def _without_impacts(
-        self, acceleration: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
+        self,
+        acceleration: Array,
+        law_acceleration: Array,
+        pose: Array,
+        velocities: tuple[Array, Array],
     ) -> None:
         """Remove the effect of pymunk's impacts in the last kick from the accelerations."""
         contacts, solid = self._batch.contacts(), self._joints.joined
-        hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
+        hit, onwards = impacts(
+            contacts, solid, pose, *velocities, law_acceleration, self._mass, self._dt
+        )
         acceleration[hit] = onwards
 
-    def _follow(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
+    def _solve_in_order(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
         """Solve one impact after the other until the drift is over."""
         hits = self._hits(path, near, 0.0, adds)
         tally = Tally(self._collision.restitution, self._mass > 0, self._dt)
@@ -239,17 +250,17 @@ class ImpactLocator:
             time, struck = groups[0][0].time, np.zeros_like(path.struck)
             for group in groups:
                 struck |= self._collide(path, group, tally)
-            place, end = path.place_at(time), path.place_at(self._dt)
+            pose, end = path.pose_at(time), path.pose_at(self._dt)
             bend = np.abs(path.acceleration) * (self._dt - time) ** 2
             moved = set(np.flatnonzero(struck).tolist())
             hits = [hit for hit in hits if moved.isdisjoint(hit.bodies)]
-            hits += self._hits(path, self._near(place, end, bend, struck), time, adds)
+            hits += self._hits(path, self._near(pose, end, bend, struck), time, adds)
 
     def _around(self, path: Path, group: list[Hit]) -> list[Hit]:
         """Return all contacts that are connected to a group of hits, directly or through others."""
         time, shapes = group[0].time, self._outlines
-        place = path.place_at(time)
-        near = self._near(place, place, np.zeros_like(place))
+        pose = path.pose_at(time)
+        near = self._near(pose, pose, np.zeros_like(pose))
         found = (touching(path, shapes[a], shapes[b], time) for a, b in near)
         return self._turns.linked(group, [hit for hit in found if hit])
 
@@ -268,10 +279,10 @@ class ImpactLocator:
         """
         time, around = group[0].time, self._around(path, group) if tally.count(group) else []
         dead = bool(around) and tally.gentle(around)
-        bounce = self._collision.bounce(path, around if dead else group, dead=dead)
-        self._pulled += self._given(path, time, bounce.struck)
+        bounce = self._collision.respond(path, around if dead else group, dead=dead)
+        self._extra_momentum += self._added_momentum(path, time, bounce.struck)
         path.turn(time, bounce.jump, bounce.struck)
-        path.acceleration += bounce.held
+        path.acceleration += bounce.acceleration_change
         self.impacts += bounce.impacts
         if dead:
             left = min(self._around(path, group), key=lambda hit: hit.parting)

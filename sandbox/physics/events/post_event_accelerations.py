@@ -69,7 +69,7 @@ class ContinuationSolver:
 
     def solve(
         self,
-        place: Array,
+        pose: Array,
         velocity: Array,
         ahead: float,
         longest: float,
@@ -78,31 +78,33 @@ class ContinuationSolver:
     ) -> ContactAccelerations | None:
         """Return how bodies continue; None if no kick is short enough or the contacts have changed.
 
-        They continue from `place` and `velocity`, (n, 3) [m, rad, m/s, rad/s], at a time since the
+        They continue from `pose` and `velocity`, (n, 3) [m, rad, m/s, rad/s], at a time since the
         last step, `ahead`, in steps. `longest` is the greatest length of the kick [s]; `slips` are
         those of the contacts so far, and `sense` their directions.
         """
-        self._batch.set_state(np.concatenate((place, velocity), axis=1))
+        self._batch.set_state(np.concatenate((pose, velocity), axis=1))
         length = longest
         for _ in range(TRIES):
             with self._forced(slips.bodies[sense != 0], slips.bodies[sense == 0]):
                 after = self.settled(ahead, velocity, length, 2 * length)
             contacts = self._batch.contacts()
-            there, adds = Slips.of(contacts, place, self.running), after - velocity
+            there, adds = Slips.of(contacts, pose, self.running), after - velocity
             goes = _matched(slips, sense, there)
-            if goes is None or self.meets(contacts, place, velocity, length):
+            if goes is None or self.is_approaching(contacts, pose, velocity, length):
                 return None
             if (self.sense(there, contacts, after, adds) == goes)[goes != 0].all():
                 return ContactAccelerations(adds / length, contacts.scaled(1 / length), there, goes)
             length *= SHORTER
         return None
 
-    def meets(self, contacts: Contacts, place: Array, velocity: Array, length: float) -> bool:
+    def is_approaching(
+        self, contacts: Contacts, pose: Array, velocity: Array, length: float
+    ) -> bool:
         """Return whether touching bodies approach, so that a kick of a length [s] would stop them.
 
         Positions and velocities are (n, 3) [m, rad, m/s, rad/s].
         """
-        apart = rates_apart(contacts, touching(contacts, place), velocity)
+        apart = rates_apart(contacts, touching(contacts, pose), velocity)
         most = NEGLIGIBLE * np.hypot(*self.adds[:, :2].T).max() * length / self._dt
         return bool((apart < -most).any())
 
@@ -116,17 +118,17 @@ class ContinuationSolver:
             if self._sticking:
                 memory = self.memory()
                 self._kick(ahead, start, length, drift)
-                self.recall(memory)
+                self.restore(memory)
             return self._kick(ahead, start, length, drift)
 
     def memory(self) -> dict[frozenset[int], Memory]:
         """Return the memory of static friction, by pairs of body indices."""
         return {pair: sticks.memory() for pair, sticks in self._sticking.items()}
 
-    def recall(self, memory: Mapping[frozenset[int], Memory]) -> None:
+    def restore(self, memory: Mapping[frozenset[int], Memory]) -> None:
         """Restore the memory of static friction."""
         for pair, known in memory.items():
-            self._sticking[pair].recall(known)
+            self._sticking[pair].restore(known)
 
     @contextmanager
     def _forced(self, slipping: Integers, others: Integers) -> Iterator[None]:
@@ -134,7 +136,7 @@ class ContinuationSolver:
         for pairs, slips in ((others, False), (slipping, True)):
             for pair in map(frozenset, pairs.tolist()):
                 if pair in self._sticking:
-                    self._sticking[pair].tell(slips=slips)
+                    self._sticking[pair].set_slipping(slips=slips)
         yield
         for sticks in self._sticking.values():
             sticks.must_slip = False

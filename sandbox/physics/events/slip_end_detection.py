@@ -16,7 +16,7 @@ WEAKER = 1e-6
 class SlipState(NamedTuple):
     """The k contacts of a kick of n bodies."""
 
-    place: Array
+    pose: Array
     """(n, 3), the positions of the bodies [m, rad]."""
     slips: Slips
     """The slips of the contacts."""
@@ -49,14 +49,14 @@ class SlipDetector:
         self._batch, self._named, self._coefficients = batch, named, coefficients
         self._onwards, self._dt = onwards, dt
 
-    def see(self, came: Array, velocity: Array, acceleration: Array) -> SlipState:
+    def detect(self, came: Array, velocity: Array, acceleration: Array) -> SlipState:
         """Return which contacts slip at the step, and which no longer do at the next.
 
         The directions are those of the velocities with which bodies came to the step: pymunk lets a
         slip end for the whole kick, and that makes other contacts slip after it.
         """
-        contacts, place = self._batch.contacts(), self._batch.state()[:, :3]
-        slips, adds = Slips.of(contacts, place, self._onwards.running), acceleration * self._dt
+        contacts, pose = self._batch.contacts(), self._batch.state()[:, :3]
+        slips, adds = Slips.of(contacts, pose, self._onwards.running), acceleration * self._dt
         sense = self._onwards.sense(slips, contacts, came, adds)
         named = (sense != 0) & self._named[slips.bodies].any(axis=1)
         most = self._coefficients[contacts.bodies[:, 0], contacts.bodies[:, 1]] * contacts.normal
@@ -65,8 +65,8 @@ class SlipDetector:
         if ends.any():
             half_on = self._onwards.sense(slips, contacts, velocity + adds / 2, adds)
             weakened |= ends & (half_on != sense)
-        steps = self.wait(slips, sense, velocity, adds)
-        return SlipState(place, slips, sense, ends, weakened, float(steps.min()))
+        steps = self.time_to_stop(slips, sense, velocity, adds)
+        return SlipState(pose, slips, sense, ends, weakened, float(steps.min()))
 
     def ends(
         self, slips: Slips, sense: Array, contacts: Contacts, velocity: Array, adds: Array
@@ -75,7 +75,9 @@ class SlipDetector:
         later = self._onwards.sense(slips, contacts, velocity, adds)
         return (sense != 0) & self._named[slips.bodies].any(axis=1) & (later != sense)
 
-    def wait(self, slips: Slips, sense: Array, velocity: Array, acceleration: Array) -> Array:
+    def time_to_stop(
+        self, slips: Slips, sense: Array, velocity: Array, acceleration: Array
+    ) -> Array:
         """Return the time until each contact of named bodies stops slipping: (k,) [s].
 
         It is infinite if the slip does not slow down.

@@ -26,7 +26,7 @@ from sandbox.physics.contacts.impacts.impact_step_velocity import impacts, reach
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.events.post_event_accelerations import ContinuationSolver
 from sandbox.physics.events.slip_end_detection import SlipDetector
-from sandbox.physics.events.slip_work import Phase, SlipEntries, Slips, booked
+from sandbox.physics.events.slip_work import Phase, SlipEntries, Slips, slip_entries
 from sandbox.physics.scene.scene import Scene
 
 MOST = 100
@@ -46,7 +46,7 @@ FAR = 1_000_000
 class Cut(NamedTuple):
     """The outcome of a drift in which slipping ended; n bodies."""
 
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the next kick [m/s, rad/s]."""
     acceleration: Array
     """(n, 3), the accelerations since slipping last ended [m/s², rad/s²]."""
@@ -61,9 +61,9 @@ class SlipEndLocator:
     to tell how the bodies continue. `smooth` returns the accelerations by gravity and force laws in
     the last kick: (n, 3) [m/s², rad/s²]. `dt` is the time step [s].
 
-    `begun`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s]. `kicked` are
-    the contacts of that kick if it was taken again, else None: then they are pymunk's. `last` are
-    the entries for the books from the last drift; None if no slipping ended in it.
+    `pre_kick_velocity`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s].
+    `kicked` are the contacts of that kick if it was taken again, else None: then they are pymunk's.
+    `last` are the entries for the books from the last drift; None if no slipping ended in it.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class SlipEndLocator:
     ) -> None:
         self._scene, self._batch, self._linked, self._tied = scene, scene.batch, linked, tied
         self._lookout, self._onwards, self._smooth, self._dt = lookout, onwards, smooth, dt
-        self._next = self.begun = self._change = self._batch.velocity()
+        self._next = self.pre_kick_velocity = self._change = self._batch.velocity()
         self._ground = self._next[scene.mass == 0]
         self._ground[:, :2] += onwards.running[scene.mass == 0]
         # steps without a check, while the squared difference of kicks stays within `_alike`
@@ -96,14 +96,17 @@ class SlipEndLocator:
         """
         half, self._quiet, self.last = self._dt / 2, 0, None
         self._onwards.adds = np.abs(self._smooth()) * self._dt
-        self._acceleration = acceleration = self._look(velocity, velocity, acceleration, half)
-        self.begun, self._next = velocity - acceleration * half, velocity + acceleration * half
+        self._acceleration = acceleration = self._detect(velocity, velocity, acceleration, half)
+        self.pre_kick_velocity, self._next = (
+            velocity - acceleration * half,
+            velocity + acceleration * half,
+        )
         return acceleration
 
-    def look(self) -> None:
+    def detect(self) -> None:
         """Check whether slipping ends in the coming drift; take the last kick again if so."""
-        begun, after = self._next, self._batch.velocity()
-        self.begun, self._next, change = begun, after, after - begun
+        velocity_before, after = self._next, self._batch.velocity()
+        self.pre_kick_velocity, self._next, change = velocity_before, after, after - velocity_before
         self.kicked = self._due = None
         if self._quiet:
             self._quiet -= 1
@@ -118,10 +121,10 @@ class SlipEndLocator:
         self._onwards.adds = np.abs(smooth) * self._dt
         acceleration = change / self._dt
         until = acceleration if self._acceleration is None else self._acceleration
-        came = begun + until * (self._dt / 2)
-        self._acceleration = self._look(begun, came, acceleration, self._dt)
+        step_velocity = velocity_before + until * (self._dt / 2)
+        self._acceleration = self._detect(velocity_before, step_velocity, acceleration, self._dt)
         if self._acceleration is not acceleration:
-            self._next = begun + self._acceleration * self._dt
+            self._next = velocity_before + self._acceleration * self._dt
             self._batch.set_velocity(self._next)
 
     def _struck(self, smooth: Array) -> bool:
@@ -129,65 +132,81 @@ class SlipEndLocator:
         contacts, solid = self._batch.contacts(), self._scene.joints.joined
         if not contacts.first.any():
             return False
-        place, mass = self._batch.state()[:, :3], self._scene.mass
-        hit, _ = impacts(contacts, solid, place, self.begun, self._next, smooth, mass, self._dt)
+        pose, mass = self._batch.state()[:, :3], self._scene.mass
+        hit, _ = impacts(
+            contacts, solid, pose, self.pre_kick_velocity, self._next, smooth, mass, self._dt
+        )
         return bool(len(hit))
 
-    def _look(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
+    def _detect(
+        self, velocity_before: Array, step_velocity: Array, acceleration: Array, length: float
+    ) -> Array:
         """Check whether slipping ends, and return the accelerations until it does.
 
-        `begun` and `came`, (n, 3), are the velocities at the beginning of the kick, and those at
-        the step, from the accelerations until then. The kick's `length` [s] is a step, or half a
-        step if it began at the step.
+        `velocity_before` and `step_velocity`, (n, 3), are the velocities at the beginning of the
+        kick, and those at the step, from the accelerations until then. The kick's `length` [s] is a
+        step, or half a step if it began at the step.
         """
         if not len(self._batch.contacts().bodies):
             return acceleration
-        velocity = begun + acceleration * (length - self._dt / 2)
-        seen = self._lookout.see(came, velocity, acceleration)
-        if not seen.ends.any():
+        velocity = velocity_before + acceleration * (length - self._dt / 2)
+        slip_state = self._lookout.detect(step_velocity, velocity, acceleration)
+        if not slip_state.ends.any():
             if (self._ground == self._ground[:1]).all():  # all the ground moves alike
-                self._quiet = int(min(max(seen.steps - 2, 0) / 2, FAR))
+                self._quiet = int(min(max(slip_state.steps - 2, 0) / 2, FAR))
                 self._alike = (ALIKE * float(self._onwards.adds.max())) ** 2
             return acceleration
         contacts = self._batch.contacts()
-        tied = (self._island(seen.slips, seen.ends) & self._tied).any()
-        if tied or self._onwards.meets(contacts, seen.place, velocity, self._dt):
+        tied = (self._island(slip_state.slips, slip_state.ends) & self._tied).any()
+        if tied or self._onwards.is_approaching(contacts, slip_state.pose, velocity, self._dt):
             return acceleration
-        if seen.weakened.any():
-            return self._again(begun, came, acceleration, length)
+        if slip_state.weakened.any():
+            return self._retake_slipping(velocity_before, step_velocity, acceleration, length)
         forces = contacts.scaled(1 / length)
-        part = Phase(self._dt, seen.place, velocity, acceleration, forces)
-        self._due = part, seen.slips, seen.sense
+        part = Phase(self._dt, slip_state.pose, velocity, acceleration, forces)
+        self._due = part, slip_state.slips, slip_state.sense
         return acceleration
 
-    def _again(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
-        """Take the last kick again with everything still slipping; see `_look`."""
-        after, memory, since = self._batch.velocity(), self._onwards.memory(), length - self._dt / 2
-        settled = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
-        seen = self._lookout.see(came, begun + settled * since, settled)
-        slips, sense = seen.slips, seen.sense
-        found = self._onwards.solve(seen.place, begun, 0.0, self._dt / 2, slips, sense)
-        self._onwards.recall(memory)
+    def _retake_slipping(
+        self, velocity_before: Array, step_velocity: Array, acceleration: Array, length: float
+    ) -> Array:
+        """Take the last kick again with everything still slipping; see `_detect`."""
+        after, memory, time_since = (
+            self._batch.velocity(),
+            self._onwards.memory(),
+            length - self._dt / 2,
+        )
+        settled = (
+            self._onwards.settled(0.0, velocity_before, length, self._dt) - velocity_before
+        ) / length
+        slip_state = self._lookout.detect(
+            step_velocity, velocity_before + settled * time_since, settled
+        )
+        slips, sense = slip_state.slips, slip_state.sense
+        found = self._onwards.solve(
+            slip_state.pose, velocity_before, 0.0, self._dt / 2, slips, sense
+        )
+        self._onwards.restore(memory)
         self._batch.set_velocity(after)
-        if found and seen.weakened.any():
-            island = self._island(slips, seen.weakened)
+        if found and slip_state.weakened.any():
+            island = self._island(slips, slip_state.weakened)
             slipping = np.where(island[:, None], found.acceleration, acceleration)
-            velocity = begun + slipping * since
+            velocity = velocity_before + slipping * time_since
             over = -LATE * np.abs(slips.change(slipping)) * self._dt
-            if (sense * slips.speed(velocity) >= over)[seen.weakened].all():
+            if (sense * slips.speed(velocity) >= over)[slip_state.weakened].all():
                 self.kicked = found.forces.scaled(length)
-                part = Phase(self._dt, seen.place, velocity, slipping, found.forces)
+                part = Phase(self._dt, slip_state.pose, velocity, slipping, found.forces)
                 self._due = part, slips, sense
                 return slipping
-        self._onwards.settled(0.0, begun, length, self._dt)  # for pymunk's warm start
-        self._onwards.recall(memory)
+        self._onwards.settled(0.0, velocity_before, length, self._dt)  # for pymunk's warm start
+        self._onwards.restore(memory)
         self._batch.set_velocity(after)
         return acceleration
 
-    def drop(self, begun: Array) -> None:
+    def leave_to_impact(self, velocity_before: Array) -> None:
         """Leave the coming drift to an impact; the next kick then begins with velocities (n, 3)."""
         self._due = self.last = self._acceleration = None
-        self._next, self._quiet = begun, 0
+        self._next, self._quiet = velocity_before, 0
 
     def cut(self) -> Cut | None:
         """Let slipping end in the coming drift; return the outcome, None if none ends."""
@@ -197,17 +216,19 @@ class SlipEndLocator:
         state, memory = self._batch.state(), self._onwards.memory()
         smooth = self._smooth()
         phases, moved = self._follow(*due, state)
-        place, begun = state[:, :3], state[:, 3:]
+        pose, velocity_before = state[:, :3], state[:, 3:]
         if len(phases) > 1:
-            self.last = booked(phases, self._scene.inertia, smooth, self._onwards.running, self._dt)
-            ends, _ = phases[-1].at(phases[-1].lasts)
-            begun = np.where(moved[:, None], self.last.begun, begun)
-            place = np.where(moved[:, None], ends - begun * self._dt, place)
-        self._onwards.settled(1.0, begun, self._dt, self._dt)  # for pymunk's warm start
-        self._onwards.recall({p: known for p, known in memory.items() if not moved[[*p]].any()})
-        self._batch.set_state(np.concatenate((place, begun), axis=1))
-        self._next, self._acceleration = begun, phases[-1].acceleration
-        return Cut(begun, phases[-1].acceleration) if self.last else None
+            self.last = slip_entries(
+                phases, self._scene.inertia, smooth, self._onwards.running, self._dt
+            )
+            ends, _ = phases[-1].at(phases[-1].duration)
+            velocity_before = np.where(moved[:, None], self.last.pre_kick_velocity, velocity_before)
+            pose = np.where(moved[:, None], ends - velocity_before * self._dt, pose)
+        self._onwards.settled(1.0, velocity_before, self._dt, self._dt)  # for pymunk's warm start
+        self._onwards.restore({p: known for p, known in memory.items() if not moved[[*p]].any()})
+        self._batch.set_state(np.concatenate((pose, velocity_before), axis=1))
+        self._next, self._acceleration = velocity_before, phases[-1].acceleration
+        return Cut(velocity_before, phases[-1].acceleration) if self.last else None
 
     def _follow(
         self, part: Phase, slips: Slips, sense: Array, state: Array
@@ -217,24 +238,24 @@ class SlipEndLocator:
         kinematic = self._scene.mass == 0
         moved = np.zeros_like(kinematic)
         while len(phases) < MOST:
-            adds, (_, velocity) = part.acceleration * self._dt, part.at(part.lasts)
+            adds, (_, velocity) = part.acceleration * self._dt, part.at(part.duration)
             if not self._lookout.ends(slips, sense, part.forces, velocity, adds).any():
                 break
-            wait = self._lookout.wait(slips, sense, part.velocity, part.acceleration)
-            first = min(float(wait.min()), part.lasts)
-            place, velocity = part.at(first)
+            wait = self._lookout.time_to_stop(slips, sense, part.velocity, part.acceleration)
+            first = min(float(wait.min()), part.duration)
+            pose, velocity = part.at(first)
             still = self._onwards.sense(slips, part.forces, velocity, adds)
             still[wait <= first] = 0.0
             island = self._island(slips, (sense != 0) & (still == 0))
-            here = np.where((moved | island | kinematic)[:, None], place, state[:, :3])
-            left = part.lasts - first
+            here = np.where((moved | island | kinematic)[:, None], pose, state[:, :3])
+            left = part.duration - first
             ahead, longest = 1 - left / self._dt, self._dt / 2
             found = self._onwards.solve(here, velocity, ahead, longest, slips, still)
             if found is None:
                 break
-            phases.append(part._replace(lasts=first))
+            phases.append(part._replace(duration=first))
             acceleration = np.where(island[:, None], found.acceleration, part.acceleration)
-            part = Phase(left, place, velocity, acceleration, found.forces)
+            part = Phase(left, pose, velocity, acceleration, found.forces)
             slips, sense, moved = found.slips, found.sense, moved | island
         return [*phases, part], moved
 

@@ -15,7 +15,7 @@ import numpy as np
 from sandbox.model.events import Crossing
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
-from sandbox.physics.events.slip_work import Phase, rubbed_beyond
+from sandbox.physics.events.slip_work import Phase, friction_work_beyond
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import damps
 from sandbox.physics.state.motion import Instant, momentum
@@ -38,15 +38,15 @@ class Part(NamedTuple):
 
     t: float
     """Its start time [s]."""
-    lasts: float
+    duration: float
     """Its duration [s]."""
-    place: Array
+    pose: Array
     """(n, 3), the positions at its start [m, rad]."""
     velocity: Array
     """(n, 3), the velocities at its start [m/s, rad/s]."""
     acceleration: Array
     """(n, 3), the accelerations in it [m/s², rad/s²]."""
-    cause: float = 0.0
+    force_delay: float = 0.0
     """The time after its start at which the forces that cause these act [s]."""
     forces: Contacts = NO_CONTACTS
     """The contacts, with forces in place of impulses."""
@@ -54,7 +54,7 @@ class Part(NamedTuple):
     @property
     def phase(self) -> Phase:
         """The same, for the work of friction."""
-        return Phase(self.lasts, self.place, self.velocity, self.acceleration, self.forces)
+        return Phase(self.duration, self.pose, self.velocity, self.acceleration, self.forces)
 
     def at(self, time: float) -> Instant:
         """Return the motion at a time after its start [s]."""
@@ -63,7 +63,7 @@ class Part(NamedTuple):
     def state(self, time: float) -> tuple[Array, Array]:
         """Return positions and velocities at a time after its start [s]: (n, 3) each."""
         velocity = self.velocity + self.acceleration * time
-        return self.place + (self.velocity + velocity) * (time / 2), velocity
+        return self.pose + (self.velocity + velocity) * (time / 2), velocity
 
 
 class EventEntries(NamedTuple):
@@ -73,27 +73,27 @@ class EventEntries(NamedTuple):
     from there on.
     """
 
-    begun: Array
+    pre_kick_velocity: Array
     """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
-    switched: float
+    switching_energy: float
     """The jump of the stored energy when forces are switched [J]."""
-    worked: Sequence[float]
+    works: Sequence[float]
     """The work of each law beyond that of the halves of the two kicks; of a damped spring that of
     its damper alone [J]."""
-    pushed: Sequence[Array]
+    momenta: Sequence[Array]
     """The momentum and angular momentum from each law beyond those from the two halves: (3,) each
     [kg m/s, kg m²/s]."""
-    given: Array
+    momentum: Array
     """The same from all forces together: (3,)."""
-    lifted: float
+    reading_shift: float
     """The change of the energy read in the middle of the drift that is only due to the change of
     acceleration [J]: on the parabola, the energy that a force F stores is higher by F a dt²/8 than
     in the middle of the chord."""
     jolts: "Sequence[Jolt]" = ()
     """The impacts of joints in the drift."""
-    rubbed: float = 0.0
+    friction_work: float = 0.0
     """The work of friction beyond that in the halves of the two kicks [J]."""
-    rubs: Mapping[str, float] = NOTHING
+    belt_works: Mapping[str, float] = NOTHING
     """The same of belts and kinematic bodies, by account [J]."""
 
 
@@ -108,18 +108,18 @@ def crosses(crossing: Crossing, before: float, now: float) -> bool:
     return {"up": rises, "down": falls, "either": rises or falls}[crossing.direction]
 
 
-def within(value: Callable[[float], float], crossing: Crossing, lasts: float) -> float:
-    """Return the time until a quantity crosses a value, at most `lasts` [s]."""
+def within(value: Callable[[float], float], crossing: Crossing, duration: float) -> float:
+    """Return the time until a quantity crosses a value, at most `duration` [s]."""
 
     def beyond(time: float) -> float:
         reading = value(time)
         return (abs(reading) if crossing.direction == "beyond" else reading) - crossing.value
 
     sign = np.sign(beyond(0.0))
-    return since(lambda time: not sign * beyond(time) > 0, 0.0, lasts)
+    return first_time(lambda time: not sign * beyond(time) > 0, 0.0, duration)
 
 
-def since(holds: Callable[[float], bool], low: float, high: float) -> float:
+def first_time(holds: Callable[[float], bool], low: float, high: float) -> float:
     """Return when a condition begins to hold, given a time before and a time after that [s]."""
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
@@ -130,7 +130,7 @@ def since(holds: Callable[[float], bool], low: float, high: float) -> float:
     return high
 
 
-def acted(
+def entries_of(
     parts: Sequence[Part],
     laws: Sequence[Law],
     inertia: Array,
@@ -145,34 +145,36 @@ def acted(
     the velocities of running surfaces [m/s], and `switched` is the jump of the stored energy [J].
     """
     first, last, half = parts[0], parts[-1], dt / 2
-    end, (place, velocity) = last.at(last.lasts), last.state(last.lasts)
+    end, (pose, velocity) = last.at(last.duration), last.state(last.duration)
     begun = velocity - last.acceleration * half
-    before = last._replace(lasts=half, place=place - velocity * half, velocity=begun)
+    before = last._replace(duration=half, pose=pose - velocity * half, velocity=begun)
+    full = (_Share(1.0, p, p.at(p.force_delay), p.at(p.duration / 2)) for p in parts)
     every = (
-        *(_Share(1.0, part, part.at(part.cause), part.at(part.lasts / 2)) for part in parts),
-        _Share(-1.0, first._replace(lasts=half), first.at(0.0), first.at(0.0)),
-        _Share(-1.0, before, last.at(last.cause), end),
+        *full,
+        _Share(-1.0, first._replace(duration=half), first.at(0.0), first.at(0.0)),
+        _Share(-1.0, before, last.at(last.force_delay), end),
     )
 
     def work(law: Law) -> float:
         return sum(share.work(law, inertia) for share in every)
 
-    worked = [work(law) - (work(replace(law, damping=0.0)) if damps(law) else 0.0) for law in laws]
-    pushed = [sum((share.push(law, inertia) for share in every), np.zeros(3)) for law in laws]
+    works = [work(law) - (work(replace(law, damping=0.0)) if damps(law) else 0.0) for law in laws]
+    momenta = [sum((share.push(law, inertia) for share in every), np.zeros(3)) for law in laws]
     given = sum((share.given(inertia) for share in every), np.zeros(3))
     storing = [law for law in laws if law.effect.book == "potential"]
 
     def raised(part: Part) -> float:
-        forces = (_wrench(law, part.at(part.cause), inertia) for law in storing)
+        forces = (_wrench(law, part.at(part.force_delay), inertia) for law in storing)
         return float(np.sum(sum(forces, np.zeros_like(inertia)) * part.acceleration))
 
-    lifted = (raised(first) - raised(last)) * half * half / 2
-    halves = first._replace(lasts=half).phase, before.phase
-    rubbed, rubs = rubbed_beyond([part.phase for part in parts], halves, inertia, running)
-    return EventEntries(begun, switched, worked, pushed, given, lifted, rubbed=rubbed, rubs=rubs)
+    shift = (raised(first) - raised(last)) * half * half / 2
+    halves = first._replace(duration=half).phase, before.phase
+    works_beyond = friction_work_beyond([part.phase for part in parts], halves, inertia, running)
+    entries = EventEntries(begun, switched, works, momenta, given, shift)
+    return entries._replace(friction_work=works_beyond[0], belt_works=works_beyond[1])
 
 
-def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> EventEntries:
+def entries_at_step(begun: Array, laws: Sequence[Law], switched: float) -> EventEntries:
     """Return the entries for the books if all events happened at the step before a drift.
 
     `begun`, (n, 3), are the velocities after the events [m/s, rad/s], and `switched` is the jump of
@@ -198,7 +200,7 @@ class _Share(NamedTuple):
     def work(self, law: Law, inertia: Array) -> float:
         """Return the work of a law [J]."""
         part = self.part
-        way = part.velocity * part.lasts + part.acceleration * (part.lasts**2 / 2)
+        way = part.velocity * part.duration + part.acceleration * (part.duration**2 / 2)
         return self.sign * float(np.sum(_wrench(law, self.cause, inertia) * way))
 
     def push(self, law: Law, inertia: Array) -> Array:
@@ -210,7 +212,7 @@ class _Share(NamedTuple):
         return self._about(inertia * self.part.acceleration)
 
     def _about(self, wrench: Array) -> Array:
-        return self.sign * momentum(wrench * self.part.lasts, self.middle.position)
+        return self.sign * momentum(wrench * self.part.duration, self.middle.position)
 
 
 def _wrench(law: Law, motion: Instant, inertia: Array) -> Array:
@@ -220,7 +222,7 @@ def _wrench(law: Law, motion: Instant, inertia: Array) -> Array:
     return np.where(inertia > 0, wrench, 0.0)
 
 
-def stored(laws: Sequence[Law], motion: Instant) -> float:
+def stored_energy(laws: Sequence[Law], motion: Instant) -> float:
     """Return the potential energy that laws store [J]."""
     stores = (law for law in laws if law.effect.book == "potential")
     return sum(float(law.potential_energy(motion).sum()) for law in stores)

@@ -140,7 +140,9 @@ class Watchdog:
             self._check_overlaps(now, contacts)
         direct = self._scene.direct
         drift_velocity = (
-            velocity if direct is None or direct.drifts.led is None else direct.drifts.led
+            velocity
+            if direct is None or direct.drifts.mean_velocity_before is None
+            else direct.drifts.mean_velocity_before
         )
         self._passive_audit.add_correction(now, contacts, None if cut else drift_velocity)
         if self._driven_audit and not disturbed:

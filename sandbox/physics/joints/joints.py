@@ -98,7 +98,7 @@ class Joints:
 
     def parting(self) -> tuple[str, float]:
         """Return the joint of `together` with the largest residual, and the residual [m, rad]."""
-        return self.together.parting() if self.together else ("", 0.0)
+        return self.together.largest_residual() if self.together else ("", 0.0)
 
     def tension(self, name: str, snapshot: Snapshot) -> Array:
         """Return the force by which a joint pulls, or a wire pushes to its left: (...) [N]."""

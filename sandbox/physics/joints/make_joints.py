@@ -157,7 +157,7 @@ class _Assembly:
         together = self._joints.together
         assert together
         ends = Anchor(self._index[a]), Anchor(self._index[b])
-        together.add(*self._equations.weld(f"{a} and {b}", *ends, together.place()))
+        together.add(*self._equations.weld(f"{a} and {b}", *ends, together.pose()))
 
     def _solved(self, name: str) -> Solved:
         """Return the model of a joint that is not a spring."""
@@ -172,7 +172,7 @@ class _Assembly:
         """
         joints, together = self._joints, self._joints.together
         assert together
-        start = together.place()
+        start = together.pose()
         rows: list[Row] = []
         others: list[Equation] = []
         for name in names:
@@ -186,7 +186,7 @@ class _Assembly:
         together.add(rows, others)
         given = {name for name in names if _is_given(self._solved(name))}
         together.keep(set(names) - given, t)
-        name, beyond = together.beyond(given, t)
+        name, beyond = together.largest_excess(given, t)
         if beyond > NEAR:
             rule = Message(
                 "'{name}' is tied when its ends are already {beyond:.3g} beyond its bounds",

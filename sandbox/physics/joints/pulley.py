@@ -111,18 +111,18 @@ class PulleyString:
         unit_a, unit_b = self._inverse  # a fixed end needs no direction: it may lie on its peg
         reply_a, reply_b = unit_a and unit_a / far_a, unit_b and unit_b / far_b
         px, py, qx, qy = reply_a * ax, reply_a * ay, reply_b * bx, reply_b * by
-        h, lasts, warm, close = kick.drift, kick.length, self._warm_start, self._close
-        off, least = far_a + far_b - self._free_length, -warm * lasts
-        if -self._rounding <= off <= self._rounding:
-            off *= SHARE
-        impulse = self.tension * lasts + least
+        h, duration, warm, close = kick.drift, kick.length, self._warm_start, self._close
+        residual, least = far_a + far_b - self._free_length, -warm * duration
+        if -self._rounding <= residual <= self._rounding:
+            residual *= SHARE
+        impulse = self.tension * duration + least
         for _ in range(MAX_ITERATIONS):
             # the displacements of both ends, and their arms after the drift
             dax, day = h * (ux - impulse * px), h * (uy - impulse * py)
             dbx, dby = h * (vx - impulse * qx), h * (vy - impulse * qy)
             tax, tay, tbx, tby = ax + dax, ay + day, bx + dbx, by + dby
             reach_a, reach_b = hypot(tax, tay) or 1.0, hypot(tbx, tby) or 1.0
-            excess = off + ((ax + tax) * dax + (ay + tay) * day) / (far_a + reach_a)
+            excess = residual + ((ax + tax) * dax + (ay + tay) * day) / (far_a + reach_a)
             excess += ((bx + tbx) * dbx + (by + tby) * dby) / (far_b + reach_b)
             if excess <= 0 and impulse <= least:
                 break
@@ -140,7 +140,7 @@ class PulleyString:
         if impulse:
             change = self._pair.set_velocity
             change(ux - impulse * px, uy - impulse * py, vx - impulse * qx, vy - impulse * qy)
-        self.tension, self._warm_start = warm + impulse / lasts, 0.0
+        self.tension, self._warm_start = warm + impulse / duration, 0.0
 
 
 def _inverse_mass(body: pymunk.Body) -> float:

@@ -41,8 +41,8 @@ class OwnJoint:
             case Pivot():
                 self._linear = pymunk.PivotJoint(a, b, at, on)
             case Weld():
-                place = b.local_to_world(on)
-                self._linear = pymunk.PivotJoint(a, b, a.world_to_local(place), on)
+                point = b.local_to_world(on)
+                self._linear = pymunk.PivotJoint(a, b, a.world_to_local(point), on)
                 self._angular = (pymunk.GearJoint(a, b, b.angle - a.angle, 1),)
             case Motor(rate=rate):
                 self._linear = pymunk.PivotJoint(a, b, at, on)

@@ -196,9 +196,9 @@ class _Kick(NamedTuple):
 
     Attributes
     ----------
-    row, center, mass, moment, rates
+    row, center, mass, moment, acceleration
         The body's row, centre of mass [m], mass [kg], moment [kg m²] and accelerations, (3,).
-    step, seen
+    step, law_motion
         The record of the step, and the motion that force laws saw in it.
     """
 

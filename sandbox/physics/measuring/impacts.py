@@ -48,7 +48,7 @@ def impacts(world: World) -> Impacts | None:
         found = solver.last
         struck = struck | found.struck[contacts.bodies].any(axis=1)
         impulse = impulse + found.impulse[contacts.bodies].min(axis=1)
-    if scene.direct and (given := scene.direct.drifts.landings.given):
+    if scene.direct and (given := scene.direct.drifts.landings.pair_impulse):
         pairs, turns = pairs_of(contacts), [*given]
         landed = np.array([given.get(pair, 0.0) for pair in pairs])
         turn = np.array([turns.index(pair) if pair in given else -1 for pair in pairs])

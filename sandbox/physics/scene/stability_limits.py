@@ -110,7 +110,7 @@ def _constrained_decay(decay_of_free: Array, inverse_mass: Array, joints: Joints
     """
     if not joints.together:
         return float(decay_of_free.max())
-    stiff = joints.together.stiff()
+    stiff = joints.together.two_sided_jacobian()
     if not len(stiff):  # ropes that are slack
         return float(decay_of_free.max())
     joined = np.flatnonzero(stiff.any(axis=(0, 2)))

@@ -163,7 +163,7 @@ class Forces:
             if kick.start is not None:
                 previous = kick.start
             elif landed := self._landed:
-                reached, begun = landed.reached[:, None], landed.begun
+                reached, begun = landed.reached[:, None], landed.pre_kick_velocity
                 previous = np.where(
                     reached, begun - self.law_acceleration * kick.clock.dt, previous
                 )
@@ -175,7 +175,7 @@ class Forces:
     @property
     def _landed(self) -> "DividedDrift | None":
         """The drift before this kick, if bodies landed in it."""
-        return self._direct.drifts.divided if self._extrapolates and self._direct else None
+        return self._direct.drifts.drift_after if self._extrapolates and self._direct else None
 
     def _set_masses(self, flows: MassFlows, t: Array) -> None:
         """Set the variable masses to those at a time [s], for the kick around it."""
@@ -204,12 +204,12 @@ def _path(
         state[:, 3:] = np.where(landed.reached[:, None], velocity, state[:, 3:])
         return Reading(reading.t, state)
 
-    t = landed.first * dt / 2
+    t = landed.first_fraction * dt / 2
     nodes = [(0.0, at(last.state[:, 3:]))]
-    if landed.first < 1:
-        nodes.append((t, at(landed.before[-1].velocity)))
-    for _, _, stage in landed.between[:-1]:
-        t += stage.lasts
+    if landed.first_fraction < 1:
+        nodes.append((t, at(landed.stages_before[-1].velocity)))
+    for _, _, stage in landed.kicks_between[:-1]:
+        t += stage.duration
         nodes.append((t, at(stage.velocity)))
     nodes.append((dt, at(reading.state[:, 3:])))
     times = np.array([time for time, _ in nodes])

@@ -44,7 +44,7 @@ def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) ->
             return SimulationError(error.joint, t, error.reason, finer, hint=hint)
         case EndlessImpacts():
             body = bodies[error.body]
-            return SimulationError(body, t, error.told(body))
+            return SimulationError(body, t, error.message_for(body))
         case SystemTooLarge():
             return SimulationError(bodies[error.body], t, error.reason)
         case _:

@@ -46,7 +46,7 @@ def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapsh
         scene.bodies[name].position = position
         scene.space.reindex_shapes_for_body(scene.bodies[name])
     if scene.hollows:
-        scene.hollows.enclosures.look()
+        scene.hollows.enclosures.update()
     for refit in stages.refit:
         refit(t)
     scene.batch.set_velocity(np.column_stack((now.velocity, now.angular_velocity)))

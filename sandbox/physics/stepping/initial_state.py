@@ -34,8 +34,8 @@ def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array
     duration = kicks.parts[-1].kick / 2
     with kicks.hold(first=True):
         post_kick_velocity, direct = kicks.begin(duration, velocity), scene.direct
-        if direct and direct.drifts.kicked is not None:
-            post_kick_velocity = direct.drifts.kicked
+        if direct and direct.drifts.post_kick_velocity is not None:
+            post_kick_velocity = direct.drifts.post_kick_velocity
         pre_kick_velocity = velocity + scene.sequence.last.jump if scene.sequence else velocity
         acceleration = (post_kick_velocity - pre_kick_velocity) / duration
         for started in stages.started:

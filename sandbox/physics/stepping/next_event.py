@@ -75,7 +75,7 @@ class EventFinder:
         for wait, number, name in sorted(estimates):
             crossing = self._pending[name][0]
             if wait > 0 and crossing.quantity != "t":
-                wait = self._locate(crossing, part, value, min(soonest[0], part.lasts))
+                wait = self._locate(crossing, part, value, min(soonest[0], part.duration))
             beyond = crossing.direction == "beyond" and wait < np.inf
             load = abs(value(crossing.quantity, wait)) / crossing.value if beyond else 0.0
             if (wait, -load, number) < soonest:
@@ -101,7 +101,7 @@ class EventFinder:
     @staticmethod
     def _state_at_landing(start: Snapshot, landing: "KickBetweenParts") -> Snapshot:
         """Return the state at a landing, with the forces at the start of its drift."""
-        motion = Instant.at(float(start.t), landing.place, landing.stage.velocity)
+        motion = Instant.at(float(start.t), landing.pose, landing.stage.velocity)
         return replace(start, **motion._asdict())
 
     def _estimate(self, name: str, crossing: Crossing, part: Part, value: Value) -> float | None:
@@ -115,7 +115,7 @@ class EventFinder:
         if name in self._crossed:
             self._crossed.discard(name)
             return 0.0
-        now, at_end = (value(crossing.quantity, time) for time in (0.0, part.lasts))
+        now, at_end = (value(crossing.quantity, time) for time in (0.0, part.duration))
         previous = self._previous_values.get(name, now)
         self._previous_values[name] = now
         if crosses(crossing, previous, now):
@@ -127,7 +127,7 @@ class EventFinder:
             if crossing.direction == "beyond"
             else crossing.value
         )
-        wait = float(target - now) / (at_end - now) * part.lasts
+        wait = float(target - now) / (at_end - now) * part.duration
         return wait if wait > 0 else float(np.nextafter(0.0, 1.0))
 
     def _locate(self, crossing: Crossing, part: Part, value: Value, soonest: float) -> float:
@@ -135,11 +135,11 @@ class EventFinder:
         now, at_end = (value(crossing.quantity, time) for time in (0.0, soonest))
         if not crosses(crossing, now, at_end):
             return np.inf
-        wait = within(lambda time: value(crossing.quantity, time), crossing, part.lasts)
+        wait = within(lambda time: value(crossing.quantity, time), crossing, part.duration)
         return wait if wait <= self._latest_time(part) else np.inf
 
     def _latest_time(self, part: Part) -> float:
-        return part.lasts - NEAR * self._dt
+        return part.duration - NEAR * self._dt
 
     def _joint_forces(self) -> tuple[Array, Array]:
         """Return the tensions and torques of the joints: (j,) each [N, N m]."""
@@ -148,7 +148,7 @@ class EventFinder:
 
     def _snapshot(self, part: Part, time: float, growth: list[Array]) -> Snapshot:
         """Return the state at a time after the start of a part, with extrapolated forces."""
-        motion, no_forces = part.at(time), np.zeros(len(part.place))
+        motion, no_forces = part.at(time), np.zeros(len(part.pose))
         tension, torque = self._joint_forces()
         return Snapshot(
             *motion,

@@ -75,7 +75,7 @@ class Stage(NamedTuple):
         Returns the contacts of the last kick, if they are not pymunk's.
     impacts
         Returns the located impacts in the last drift.
-    begun
+    pre_kick_velocity
         Returns the velocities at the beginning of the last kick, if they are not those after the
         step before it: (n, 3) [m/s, rad/s].
     record
@@ -104,7 +104,7 @@ class Stages:
     ----------
     before_drift, after_step
         The calls at these moments; most levels have none.
-    started, refit, contacts, impacts, begun, record
+    started, refit, contacts, impacts, pre_kick_velocity, record
         See `Stage`.
     calls
         The number of Python calls in a step for all of them, outside kicks.

@@ -80,7 +80,7 @@ def _repeat_catches(scene: Scene, old_scene: Scene, now: float) -> None:
     if latches is None or old is None:
         return
     if catch(scene.joints, old.tied, now) and scene.joints.together:
-        scene.joints.together.calm()
+        scene.joints.together.end_added_impact()
     latches.tied.update(old.tied)
 
 

@@ -52,8 +52,10 @@ class Observer:
         `pre_kick_velocity`, (n, 3), are the velocities half a kick before the step [m/s, rad/s].
         """
         state, contacts, direct = self._scene.batch.state(), self.contacts(), self._scene.direct
-        if direct and direct.drifts.kicked is not None:  # landing bodies have changed them since
-            state[:, 3:] = direct.drifts.kicked
+        if (
+            direct and direct.drifts.post_kick_velocity is not None
+        ):  # landing bodies have changed them since
+            state[:, 3:] = direct.drifts.post_kick_velocity
         rates = self._rates(state, pre_kick_velocity, contacts)
         if (impacts := self._stages.impacts) and (found := impacts()):
             from sandbox.physics.events.located_impacts import as_contacts

@@ -89,7 +89,7 @@ class World:
     def impacts(self) -> list[tuple[Pair, float]]:
         """The located impacts between the last two steps: the pair, and the time [s]."""
         direct, located, names = self.scene.direct, self._stages.impacts, list(self.scene.bodies)
-        struck = direct.drifts.struck if direct else [i[:2] for i in located()] if located else ()
+        struck = direct.drifts.impacts if direct else [i[:2] for i in located()] if located else ()
         t = self.kicks.clock.after(-1)
         return [(frozenset(names[b] for b in pair), t + time) for pair, time in struck]
 

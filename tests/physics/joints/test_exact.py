@@ -309,14 +309,14 @@ def test_forces_where_joints_were_looked_at_last_need_no_other_look(
     rods = {name: {"type": "rod", "ends": both} for name, both in ends.items()}
     joints = build(level(bodies, GRAVITY, joints=rods)).scene.joints.together
     assert joints
-    pulls, place, looks = np.array([2.0, 3.0]), joints.place(), [0]
-    first, look = joints.wrenches(pulls, place), joints.look
+    pulls, place, looks = np.array([2.0, 3.0]), joints.pose(), [0]
+    first, look = joints.wrenches(pulls, place), joints.evaluate
 
     def counted(at: Coordinates) -> Rows:
         looks[0] += 1
         return look(at)
 
-    monkeypatch.setattr(joints, "look", counted)
+    monkeypatch.setattr(joints, "evaluate", counted)
 
     assert np.array_equal(joints.wrenches(pulls, Coordinates(place.values.copy())), first)
     assert looks[0] == 0

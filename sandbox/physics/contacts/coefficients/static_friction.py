@@ -105,7 +105,7 @@ class Sticking:
             load = self.loads.get(contact)
             self.loads[contact] = Load(friction, load and load.last)
 
-    def tell(self, *, slips: bool) -> None:
+    def set_slipping(self, *, slips: bool) -> None:
         """Force it to slip, or let it stick as long as friction is strong enough."""
         self.must_slip = slips
         if not slips:
@@ -115,7 +115,7 @@ class Sticking:
         """Return the state of its contacts."""
         return set(self.slipping), dict(self.loads)
 
-    def recall(self, known: Memory) -> None:
+    def restore(self, known: Memory) -> None:
         """Restore the state of its contacts."""
         self.slipping, self.loads = set(known[0]), dict(known[1])
 
@@ -131,7 +131,11 @@ class Sticking:
         slip = _slip(arbiter)
         if load is None or not slip:
             return
-        excess = (self.static - self.kinetic) * normal * _since(load, self.static * normal)
+        excess = (
+            (self.static - self.kinetic)
+            * normal
+            * _steps_since_breakaway(load, self.static * normal)
+        )
         impulse = arbiter.normal.perpendicular() * (excess if slip > 0 else -excess)
         first, second = points = _points(arbiter)
         row = arbiter.shapes[1].collision_type - 1
@@ -171,7 +175,7 @@ def sticking(level: Level, values: Values) -> dict[tuple[str, str], Sticking]:
     }
 
 
-def _since(load: Load, limit: float) -> float:
+def _steps_since_breakaway(load: Load, limit: float) -> float:
     """Return the number of steps since a contact broke loose, at the end of this one: 0.5 to 1.5.
 
     If the load did not grow before, it was applied suddenly: the contact broke loose at this step.

@@ -52,7 +52,7 @@ def touched(
             continue
         if shape.body is not None and not meets(shape.body, hit.shape.body):
             continue
-        if gates and shape.body is not None and gates.lets(shape.body, hit.shape.body):
+        if gates and shape.body is not None and gates.lets_pass(shape.body, hit.shape.body):
             continue
         verdict = hollows.judge(shape, hit.shape) if hollows else True
         if hollows and not isinstance(verdict, bool):
@@ -81,14 +81,14 @@ def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
     """
     body = shape.body
     assert body
-    place, depths = body.position, list[float]()
+    position, depths = body.position, list[float]()
     for way in ((NUDGE, 0), (-NUDGE, 0), (0, NUDGE), (0, -NUDGE)):
-        body.position = place + way
+        body.position = position + way
         shape.cache_bb()
         found = shape.shapes_collide(other)
         if found.normal != (0, 0):
             depths.append(_depth(found))
-    body.position = place
+    body.position = position
     shape.cache_bb()
     return min(depths, default=0.0)
 
@@ -110,12 +110,12 @@ class Query:
         self._space, self.bodies, self.hollows, self.gates = space, bodies, hollows, gates
         self._rows = {body: row for row, body in enumerate(bodies)}
 
-    def more(self, known: Contacts, moved: Collection[int], least: float) -> Contacts:
+    def updated(self, known: Contacts, moved: Collection[int], min_depth: float) -> Contacts:
         """Return known contacts, updated for bodies that were moved.
 
         Pairs that now touch with more shapes, or overlap deeply at more points, get new contacts;
         the others keep the known ones. `moved` are the rows of the moved bodies; overlaps of at
-        least `least` [m] count as deep.
+        least `min_depth` [m] count as deep.
         """
         found: dict[tuple[int, int], list[ShapeContact]] = {}
         for row, other, contact in self._found(moved):
@@ -123,11 +123,11 @@ class Query:
         pairs = pairs_of(known)
         deep = Counter[tuple[int, int]]()
         for pair, depths in zip(pairs, known.depths, strict=True):
-            deep[pair] += int(np.count_nonzero(depths > least))
+            deep[pair] += int(np.count_nonzero(depths > min_depth))
         new = {
             pair: all_
             for pair, all_ in found.items()
-            if len(all_) > pairs.count(pair) or _deep(all_, least) > deep[pair]
+            if len(all_) > pairs.count(pair) or _deep(all_, min_depth) > deep[pair]
         }
         if not new:
             return known
@@ -155,10 +155,10 @@ def pairs_of(contacts: Contacts) -> list[tuple[int, int]]:
     return [(a, b) if a < b else (b, a) for a, b in contacts.bodies.tolist()]
 
 
-def _deep(contacts: Sequence[ShapeContact], least: float) -> int:
+def _deep(contacts: Sequence[ShapeContact], min_depth: float) -> int:
     """Return the number of points with more than the least overlap [m]."""
     pairs = ((contact.normal, *point) for contact in contacts for point in contact.points)
-    return sum(dot(here - there, normal) > least for normal, here, there in pairs)
+    return sum(dot(here - there, normal) > min_depth for normal, here, there in pairs)
 
 
 def contacts_of(found: dict[tuple[int, int], list[ShapeContact]]) -> Contacts:
@@ -167,9 +167,9 @@ def contacts_of(found: dict[tuple[int, int], list[ShapeContact]]) -> Contacts:
     count = len(rows)
     points, depths = np.zeros((count, 2), dtype=complex), np.zeros((count, 2))
     for row, (_, contact) in enumerate(rows):
-        for place, (here, there) in enumerate(contact.points):
-            points[row, place] = (here + there) / 2
-            depths[row, place] = dot(here - there, contact.normal)
+        for index, (here, there) in enumerate(contact.points):
+            points[row, index] = (here + there) / 2
+            depths[row, index] = dot(here - there, contact.normal)
     normals = np.array([contact.normal for _, contact in rows])
     return NO_CONTACTS._replace(
         bodies=np.array([pair for pair, _ in rows], dtype=np.intp),

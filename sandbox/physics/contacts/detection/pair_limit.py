@@ -36,14 +36,14 @@ def most_pairs(iterations: int, *, direct: bool) -> int:
     return MOST_DIRECT if direct else int(MOST_PAIRS / (1 + iterations / SWEEPS))
 
 
-def refuse_crowd(shapes: Mapping[str, Sequence[pymunk.Shape]], most: int) -> None:
+def refuse_crowd(shapes: Mapping[str, Sequence[pymunk.Shape]], limit: int) -> None:
     """Refuse bodies with too many pairs, before their shapes are added to a space.
 
-    Raises `SimulationError` if the bounding boxes of more than `most` pairs overlap; it names the
+    Raises `SimulationError` if the bounding boxes of more than `limit` pairs overlap; it names the
     body with the most.
     """
     rows = np.repeat(np.arange(len(shapes)), [len(made) for made in shapes.values()])
-    if len(rows) * (len(rows) - 1) // 2 <= most:
+    if len(rows) * (len(rows) - 1) // 2 <= limit:
         return
     every = [shape for made in shapes.values() for shape in made]
     corners = chain.from_iterable(shape.cache_bb() for shape in every)
@@ -53,21 +53,21 @@ def refuse_crowd(shapes: Mapping[str, Sequence[pymunk.Shape]], most: int) -> Non
     for first, second in _meeting(boxes, rows, moves):
         found += np.bincount(rows[first], minlength=len(found))
         found += np.bincount(rows[second], minlength=len(found))
-        if found.sum() > 2 * most:
+        if found.sum() > 2 * limit:
             name = list(shapes)[int(found.argmax())]
-            raise SimulationError(name, 0.0, crowded(name, most))
+            raise SimulationError(name, 0.0, crowded(name, limit))
 
 
 def _moves(shape: pymunk.Shape) -> bool:
     return shape.body is not None and shape.body.body_type != pymunk.Body.STATIC
 
 
-def crowded(name: str, most: int) -> Message:
+def crowded(name: str, limit: int) -> Message:
     """Return the reason for refusing so many pairs; `name` is the body in most of them."""
     return Message(
         "more than {most:,} pairs of bodies are close to each other, too many for a step;"
         " '{name}' is in most of them: spread the bodies out",
-        most=most,
+        most=limit,
         name=name,
     )
 

@@ -57,34 +57,34 @@ class Hit(NamedTuple):
 class Path:
     """The motion of n bodies between two kicks, each on a parabola since its last impact.
 
-    `place` and `velocity`, (n, 3), are x, y and angle at the time of the last impact, and their
-    rates [m, rad, m/s, rad/s]; `since`, (n,), is that time [s], and `acceleration`, (n, 3), holds
+    `pose` and `velocity`, (n, 3), are x, y and angle at the time of the last impact, and their
+    rates [m, rad, m/s, rad/s]; `start`, (n,), is that time [s], and `acceleration`, (n, 3), holds
     from then on [m/s², rad/s²]. `struck`, (n,), tells which bodies had an impact.
     """
 
-    def __init__(self, place: Array, velocity: Array, acceleration: Array) -> None:
-        self.place, self.velocity = place.copy(), velocity.copy()
+    def __init__(self, pose: Array, velocity: Array, acceleration: Array) -> None:
+        self.pose, self.velocity = pose.copy(), velocity.copy()
         self.acceleration = acceleration.copy()
-        self.since = np.zeros(len(place))
-        self.struck = np.zeros(len(place), dtype=bool)
+        self.start = np.zeros(len(pose))
+        self.struck = np.zeros(len(pose), dtype=bool)
 
-    def place_at(self, t: float) -> Array:
+    def pose_at(self, t: float) -> Array:
         """Return the positions at a time: (n, 3)."""
-        lasted = (t - self.since)[:, None]
+        lasted = (t - self.start)[:, None]
         then = self.velocity + self.acceleration * lasted
-        return self.place + (self.velocity + then) * (lasted / 2)
+        return self.pose + (self.velocity + then) * (lasted / 2)
 
     def at(self, t: float) -> tuple[Array, Array]:
         """Return positions and velocities at a time: (n, 3) each."""
-        lasted = (t - self.since)[:, None]
-        return self.place_at(t), self.velocity + self.acceleration * lasted
+        lasted = (t - self.start)[:, None]
+        return self.pose_at(t), self.velocity + self.acceleration * lasted
 
     def turn(self, t: float, jump: Array, struck: Booleans) -> None:
         """Add a jump to the velocities of the bodies that are struck at a time."""
-        place, velocity = self.at(t)
-        self.place[struck] = place[struck]
+        pose, velocity = self.at(t)
+        self.pose[struck] = pose[struck]
         self.velocity[struck] = (velocity + jump)[struck]
-        self.since[struck] = t
+        self.start[struck] = t
         self.struck |= struck
 
 
@@ -92,14 +92,14 @@ class Motion:
     """The motion of a body at a time on its path, in complex numbers."""
 
     def __init__(self, path: Path, body: int, t: float) -> None:
-        lasted = t - float(path.since[body])
-        x, y, angle = path.place[body].tolist()
+        lasted = t - float(path.start[body])
+        x, y, angle = path.pose[body].tolist()
         vx, vy, spin = path.velocity[body].tolist()
         ax, ay, self.twist = path.acceleration[body].tolist()
         self.acceleration = complex(ax, ay)
         self.velocity = complex(vx, vy) + self.acceleration * lasted
         self.spin = spin + self.twist * lasted
-        self.place = complex(x, y) + (complex(vx, vy) + self.velocity) * (lasted / 2)
+        self.pose = complex(x, y) + (complex(vx, vy) + self.velocity) * (lasted / 2)
         self.turned = rect(1, angle + (spin + self.spin) * (lasted / 2))
 
     @property
@@ -109,11 +109,11 @@ class Motion:
 
     def put(self, corners: Sequence[complex]) -> list[complex]:
         """Return the positions of points of the body in the plane."""
-        return [self.place + self.turned * corner for corner in corners]
+        return [self.pose + self.turned * corner for corner in corners]
 
     def speed(self, point: complex) -> complex:
         """Return the velocity of the body at a point of the plane."""
-        return self.velocity + 1j * self.spin * (point - self.place)
+        return self.velocity + 1j * self.spin * (point - self.pose)
 
     def bend(self, reach: float, dt: float) -> float:
         """Return a bound on the acceleration by rotation of points within a reach [m]."""
@@ -122,7 +122,7 @@ class Motion:
 
 
 def meet(
-    path: Path, one: Outline, other: Outline, since: float, until: float, gives: Array
+    path: Path, one: Outline, other: Outline, start: float, until: float, velocity_changes: Array
 ) -> Hit | None:
     """Return the next impact of two shapes that approach each other; None if there is none.
 
@@ -133,11 +133,14 @@ def meet(
     that overlap at the end of a drift belongs to that drift, and comes at its end at the latest.
     Shapes that are still apart there are left to the next drift.
 
-    The times to search are from `since` to `until` [s]. `gives`, (2, n, 3), are the changes of
-    velocity by gravity and laws alone in a step, and by all forces in the rest of it [m/s, rad/s].
+    The times to search are from `start` to `until` [s]. `velocity_changes`, (2, n, 3), are the
+    changes of velocity by gravity and laws alone in a step, and by all forces in the rest of it
+    [m/s, rad/s].
     """
-    t, at_end = since, False
-    gets = [[complex(*way) for way in gives[:, o.body, :2].tolist()] for o in (one, other)]
+    t, at_end = start, False
+    gets = [
+        [complex(*way) for way in velocity_changes[:, o.body, :2].tolist()] for o in (one, other)
+    ]
     for _ in range(TRIES):
         here, there = Motion(path, one.body, t), Motion(path, other.body, t)
         cores = here.put(one.corners), there.put(other.corners)
@@ -147,7 +150,7 @@ def meet(
                 return None
             hit = _hit(t, (one, other), (here, there), found)
             speeds = here.velocity, there.velocity
-            rests = t == since or at_end
+            rests = t == start or at_end
             allowed = _allowed(found.normal, speeds, gets, rests=rests)
             if hit.parting < -allowed:
                 return hit
@@ -200,7 +203,7 @@ def _touch(here: Motion, there: Motion) -> float:
 
 def _rounding(here: Motion, there: Motion) -> float:
     """Return the rounding error of the gap between bodies [m]."""
-    return FAR * max(abs(here.place), abs(there.place))
+    return FAR * max(abs(here.pose), abs(there.pose))
 
 
 def _hit(
@@ -266,7 +269,7 @@ def _turning(
     top = max(dot(normal, corner) for corner in cores[0]) + radii
     times = []
     for corner in cores[1]:
-        way, moves = corner - first.place, other.speed(corner) - first.velocity
+        way, moves = corner - first.pose, other.speed(corner) - first.velocity
         fastest = abs(moves) + acceleration * left
         farthest = abs(way) + fastest * left
         curve = -acceleration - 2 * spin * fastest - (abs(first.twist) + spin * spin) * farthest

@@ -31,11 +31,11 @@ from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
 from sandbox.physics.contacts.direct.drifts.joint_catches import Pulls, caught
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
-from sandbox.physics.contacts.direct.kicks.breaking_loose import loosened
+from sandbox.physics.contacts.direct.kicks.breaking_loose import with_breakaway
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult, Stage
-from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, take
-from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
+from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, solve_kick
+from sandbox.physics.contacts.direct.kicks.speculative_kicks import close_slow_corners
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
@@ -76,11 +76,11 @@ class DirectSolver:
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
-        self._begun = self._acceleration = self._change = self._calm.jump
+        self._pre_kick = self._acceleration = self._change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
-        self._known, self._pulls = WarmStart(), Pulls()
+        self._warm, self._pulls = WarmStart(), Pulls()
         self._crowd: Booleans | None = None  # the one that was stopped in this kick
-        self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
+        self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._warm)
         self._speculative = SpeculativeContacts(query, surfaces, self._moves)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
@@ -94,7 +94,7 @@ class DirectSolver:
         """The contacts of the last kick; their impulses are computed on demand."""
         if self._pushed:
             kick, total = self._pushed
-            self._build.contacts, self._pushed = kick.pushing(total), None
+            self._build.contacts, self._pushed = kick.contacts_with(total), None
         return self._build.contacts
 
     def begin(self, acceleration: Array, *, start: bool) -> None:
@@ -107,12 +107,13 @@ class DirectSolver:
             self.drifts.forget()
         else:
             self._build.corrects, self._crowd = True, None
-        self._begun, self._acceleration, self._starts = self.velocity(), acceleration, start
+        self._pre_kick, self._acceleration, self._starts = self.velocity(), acceleration, start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 
     def velocity(self) -> Array:
         """Return the velocities before a kick: (n, 3) [m/s, rad/s]."""
-        return self.drifts.divided.begun if self.drifts.divided else self._batch.velocity()
+        divided = self.drifts.drift_after
+        return divided.pre_kick_velocity if divided else self._batch.velocity()
 
     def solve(self, until: float) -> None:
         """Find the impulses of a kick, and set the velocities after it.
@@ -121,46 +122,46 @@ class DirectSolver:
         there are no such impulses.
         """
         if self._meets:
-            self._build.find_contacts(lambda: np.abs(self._begun) * self._dt)
+            self._build.find_contacts(lambda: np.abs(self._pre_kick) * self._dt)
         self._pushed, self._until, self._taken = None, until, None
         self.last, self.stages = self._calm, ()
         self.drifts.begin(self._build.contacts)
-        self._build.follow(until)
+        self._build.set_course(until)
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
-            self._known.forget()
+            self._warm.forget()
             self._solved = None
             self._solve_joints(until)
         self._pulls.note(self._joints)
-        landed = None if self.drifts.divided else self._land(until)
+        landed = None if self.drifts.drift_after else self._land(until)
         if self._meets:
             self._note_change(landed)
-        if np.count_nonzero(pushed := self.drifts.landings.pushed):
+        if np.count_nonzero(pushed := self.drifts.landings.body_impulse):
             self.last = self.last._replace(impulse=pushed)
 
     def _note_change(self, landed: CutDrift | None) -> None:
         """Note how velocities change in a step, from the drift after the kick if that is cut."""
-        divided = self.drifts.divided
-        after = divided.left if divided else self._batch.velocity()
+        divided = self.drifts.drift_after
+        after = divided.post_kick_velocity if divided else self._batch.velocity()
         if landed:
-            after = landed.whole.moved[self._order]
-        self._change = (after - self._begun) * (self._dt / self._joints.kick)
+            after = landed.whole.velocity[self._order]
+        self._change = (after - self._pre_kick) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
             self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
         if landed:
-            onwards = landed.onwards * self._dt
+            onwards = landed.end_acceleration * self._dt
             self._change = np.where(landed.reached[:, None], onwards, self._change)
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
         self._build.go_on(t)
 
-    def standing(self, course: Course) -> Kick:
+    def without_correction(self, course: Course) -> Kick:
         """Return the system of all contacts and joints at present, before a drift of a course."""
         self.relay()
-        return self._build.standing(course)
+        return self._build.without_correction(course)
 
     def relay(self) -> None:
         """Begin anew with other joints, at the present positions."""
@@ -175,14 +176,14 @@ class DirectSolver:
 
     def _begin_anew(self) -> None:
         """Forget the last kick and the drift after it."""
-        self._known.forget()
+        self._warm.forget()
         self.drifts.forget()
         self._change, self._crowd = self._calm.jump, None
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints without contacts; if ropes fail in this way, solve them as contacts are."""
-        if self.drifts.drifted:  # pymunk knows only the mean velocities
-            self._batch.set_velocity(self._begun + self._acceleration * self._joints.kick)
+        if self.drifts.drift_before:  # pymunk knows only the mean velocities
+            self._batch.set_velocity(self._pre_kick + self._acceleration * self._joints.kick)
         velocity = self._batch.velocity()
         try:
             self._joints.solve(until)
@@ -193,9 +194,9 @@ class DirectSolver:
     def _solve_all(self) -> None:
         self._joints.check()
         start = self._beginning()
-        kick = self._build.look(start.velocity * self._dt)
+        kick = self._build.corrected(start.velocity * self._dt)
         try:
-            taken = take(kick, start, self._known)
+            taken = solve_kick(kick, start, self._warm)
         except (JointFailure, NoForces) as whole:
             if not self._divides(kick):
                 if isinstance(whole, NoForces):
@@ -207,25 +208,25 @@ class DirectSolver:
                 raise (whole if isinstance(whole, JointFailure) else last) from None
             return
         smooth = self._is_whole and not taken.impacts
-        loose = loosened(kick, taken.active.slip, self._known.last_two) if smooth else None
-        taken = take(loose, start, self._known) if loose else taken
-        self._keep(self._closed(taken, start), start)
+        loose = with_breakaway(kick, taken.active.slip, self._warm.last_two) if smooth else None
+        taken = solve_kick(loose, start, self._warm) if loose else taken
+        self._keep(self._close_corners(taken, start), start)
 
     def _keep(self, taken: KickResult, start: KickStart) -> None:
         """Set the velocities after a kick, and remember it."""
-        leaning = taken.kick.leaning(taken.moved, taken.forces)
+        leaning = taken.kick.with_tilt_friction(taken.velocity, taken.forces)
         if leaning is not None:
-            taken = take(leaning, start, self._known)
+            taken = solve_kick(leaning, start, self._warm)
         self.last, self.stages, self._taken = taken.impacts or self._calm, taken.stages, taken
-        self._batch.set_velocity(taken.moved[self._order])
-        self._known.note(taken.kick, taken.forces, taken.active)
-        self._report(taken.kick, taken.total, taken.active)
+        self._batch.set_velocity(taken.velocity[self._order])
+        self._warm.note(taken.kick, taken.forces, taken.active)
+        self._report(taken.kick, taken.impulse, taken.active)
 
-    def _closed(self, taken: KickResult, start: KickStart) -> KickResult:
-        """Return a kick after which slow corners have come down; see `closed`."""
-        look, build, known, locates = self._speculative, self._build, self._known, self._locates
-        laws, again = start.acceleration, lambda _, kick: take(kick, start, known)
-        taken, strikes = closed(taken, look, build, laws, again, locates=locates)
+    def _close_corners(self, taken: KickResult, start: KickStart) -> KickResult:
+        """Return a kick after which slow corners have come down; see `close_slow_corners`."""
+        look, build, warm, locates = self._speculative, self._build, self._warm, self._locates
+        laws, again = start.acceleration, lambda _, kick: solve_kick(kick, start, warm)
+        taken, strikes = close_slow_corners(taken, look, build, laws, again, locates=locates)
         return taken._replace(strikes=True) if strikes else taken
 
     @property
@@ -245,15 +246,15 @@ class DirectSolver:
 
     def _divide(self, kick: Kick, start: KickStart) -> None:
         """Take the drift after a kick in parts, and set its mean velocities."""
-        takes = partial(take, start=start, known=self._known)
+        takes = partial(solve_kick, start=start, warm_start=self._warm)
         found = through(kick, start.acceleration, self._until, takes)
         first = found.first
         self.last = first.impacts or self._calm
-        mean = found.way[self._order] / self._joints.drift
-        self.drifts.divide(found.seen(self._batch.state()[:, :3], self._order), mean)
+        mean = found.displacement[self._order] / self._joints.drift
+        self.drifts.divide(found.drift_record(self._batch.state()[:, :3], self._order), mean)
         self._batch.set_velocity(mean)
-        self._known.note(first.kick, first.forces, first.active)
-        self._report(first.kick, found.whole, first.active)
+        self._warm.note(first.kick, first.forces, first.active)
+        self._report(first.kick, found.full_impulse, first.active)
 
     def _land(self, until: float, stopped: Booleans | None = None) -> CutDrift | None:
         """Locate the landings in the drift after a kick, which ends at a time [s].
@@ -264,15 +265,15 @@ class DirectSolver:
         if not (self._locates and (self._meets or pulls)):
             return None
         taken, look = self._taken, self._speculative
-        place, motion = taken.coordinates if taken else self._joints.coordinates()
+        pose, motion = taken.coordinates if taken else self._joints.coordinates()
         way = self._dt * motion.values
         ends = taken and (
             taken.strikes or taken.flat or look.ends.passing(taken.kick, way, taken.forces)
         )
-        lands = ends or look.approaching.near(self._build.contacts, place, way)
+        lands = ends or look.approaching.near(self._build.contacts, pose, way)
         if not (lands or pulls or (taken and taken.slides)):
             return None
-        whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
+        whole, (laws,) = self._whole_drift(pose, motion.values), self._spread(self._acceleration)
         catches = pulls and caught(whole).any()
         if not (lands or catches or len(slip_ends(whole, laws))):
             return None
@@ -281,7 +282,7 @@ class DirectSolver:
             self._stop(whole.kick, self._crowd)
             return self._land(until, self._crowd)
         landings = DriftCutter(look, self._build, laws, until, driven=driven, stopped=calm)
-        parts = landings.follow(whole)
+        parts = landings.cut_at_landings(whole)
         if landings.crowd.any():
             self._crowd = landings.crowd | calm
             self._stop(whole.kick, self._crowd)
@@ -291,35 +292,35 @@ class DirectSolver:
         last, start = parts[-1], self._batch.state()[:, :3]
         landed = CutDrift(whole, parts, laws, landings.reached, start)
         divided = landed.divided
-        ways = (divided.end - start) / self._dt
-        mean = np.where(landed.reached[:, None], ways, divided.left)
+        ways = (divided.end_pose - start) / self._dt
+        mean = np.where(landed.reached[:, None], ways, divided.post_kick_velocity)
         self.drifts.divide(divided, mean)
         self.drifts.land(landings.record)
         self._batch.set_velocity(mean)
-        self._known.note(last.kick, last.steady, last.active)
+        self._warm.note(last.kick, last.later_forces, last.active)
         return landed
 
     def _stop(self, kick: Kick, crowded: Booleans) -> None:
         """Let what would land in a crowd, (n,), come to touch after a kick, and go no further."""
-        start, known, look, build = self._beginning(), self._known, self._speculative, self._build
-        taken = self._taken or take(kick, start, known)
-        found = stopped(taken, crowded, look, build, lambda _, kick: take(kick, start, known))
+        start, known, look, build = self._beginning(), self._warm, self._speculative, self._build
+        taken = self._taken or solve_kick(kick, start, known)
+        found = stopped(taken, crowded, look, build, lambda _, kick: solve_kick(kick, start, known))
         self._keep(found[0], start)
 
-    def _whole(self, place: Coordinates, moved: Array) -> DriftPart:
+    def _whole_drift(self, pose: Coordinates, moved: Array) -> DriftPart:
         """Return the drift after a kick as one part, with velocities (3 N,)."""
         dt, joints = self._dt, self._joints
         if self._taken:
-            return DriftPart.after(self._taken, dt, moved)
-        begun, taut = self._spread(self._begun)[0], joints.expected()[1]
+            return DriftPart.whole_drift(self._taken, dt, moved)
+        begun, taut = self._spread(self._pre_kick)[0], joints.expected()[1]
         held = Active(taut, np.zeros(0, dtype=np.intp))
-        lasts, kick = joints.kick, self._build.at(place)
-        return DriftPart(kick, dt, dt, begun, lasts, joints.tension, held, moved)
+        duration, kick = joints.kick, self._build.at(pose)
+        return DriftPart(kick, dt, dt, begun, duration, joints.tension, held, moved)
 
     def _beginning(self) -> KickStart:
         """Return the state and the forces at the beginning of this kick."""
-        begun, acts, change = self._spread(self._begun, self._acceleration, self._change)
-        return KickStart(begun, acts, change, self._lead, self._dt, self._driven())
+        velocity, acts, change = self._spread(self._pre_kick, self._acceleration, self._change)
+        return KickStart(velocity, acts, change, self._lead, self._dt, self._driven())
 
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""
@@ -329,13 +330,14 @@ class DirectSolver:
 
     def _driven(self) -> bool:
         """Whether running surfaces or kinematic bodies may add energy."""
-        return self._runs or bool(np.count_nonzero(self._begun.take(self._fixed, axis=0)))
+        return self._runs or bool(np.count_nonzero(self._pre_kick.take(self._fixed, axis=0)))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
         """Pass the impulses of the whole kick, (r,), and its active rows to joints and contacts."""
         joints = kick.layout.joints
         struck = self.last is not self._calm and bool(self.last.struck.any())
-        self._joints.take(total[joints] / self._joints.kick, active.on[joints], struck=struck)
+        forces = total[joints] / self._joints.kick
+        self._joints.store_forces(forces, active.on[joints], struck=struck)
         self._solved = self._pushed = kick, total
 
     def wrenches(self, body: int) -> Array:

@@ -13,25 +13,25 @@ from sandbox.physics.state.motion import Motion
 class KickRecord(NamedTuple):
     """The data of a kick for the books; n bodies.
 
-    `t` and `length` are its time and length [s], and `seen` is the motion that the force laws see
-    in it. `place`, (n, 2), are the positions of the bodies [m], `mean`, (n, 3), is the mean of
-    their velocities before and after [m/s, rad/s], and `inertia`, (n, 3), has their masses, masses
-    and moments; 0 for immovable bodies [kg, kg m²].
+    `t` and `length` are its time and length [s], and `law_motion` is the motion that the force laws
+    see in it. `positions`, (n, 2), are the positions of the bodies [m], `mean_velocity`, (n, 3), is
+    the mean of their velocities before and after [m/s, rad/s], and `inertia`, (n, 3), has their
+    masses, masses and moments; 0 for immovable bodies [kg, kg m²].
     """
 
     t: float
     length: float
-    seen: Motion
-    place: Array
-    mean: Array
+    law_motion: Motion
+    positions: Array
+    mean_velocity: Array
     inertia: Array
 
     def work(self, impulse: Array) -> float:
         """Return the work of impulses: (n, 3) [J]."""
-        return float(np.sum(impulse * self.mean))
+        return float(np.sum(impulse * self.mean_velocity))
 
 
-def pressed(contacts: Contacts, row: int) -> Array:
+def normal_impulse(contacts: Contacts, row: int) -> Array:
     """Return the impulse of all contacts on a body: (2,)."""
     given = contacts.impulse[contacts.bodies[:, 1] == row].sum(axis=0)
     taken = contacts.impulse[contacts.bodies[:, 0] == row].sum(axis=0)
@@ -53,7 +53,7 @@ def completed(contacts: Contacts, impulse: Array) -> Contacts:
     return contacts._replace(impulse=whole)
 
 
-def couples(contacts: Contacts, impulse: Array, place: Array, inertia: Array) -> Array:
+def contact_torques(contacts: Contacts, impulse: Array, pose: Array, inertia: Array) -> Array:
     """Return the angular impulse of contacts on their second bodies, about their middle: (k,).
 
     The pressure of one side on another is larger at one end. The difference follows from the
@@ -61,7 +61,7 @@ def couples(contacts: Contacts, impulse: Array, place: Array, inertia: Array) ->
     least-norm solution is taken.
 
     `impulse`, (n, 3), is that of all contacts on each body; the other arguments are as for
-    `rubbing`.
+    `contact_friction_work`.
     """
     found = np.zeros(len(contacts.bodies))
     sides = np.flatnonzero(contacts.touches == 2)
@@ -69,7 +69,7 @@ def couples(contacts: Contacts, impulse: Array, place: Array, inertia: Array) ->
         return found
     turning, lack = inertia[:, 2] > 0, impulse[:, 2].copy()
     gives = np.zeros((len(impulse), len(sides)))
-    arms = contacts.on_surfaces(_middles(contacts)) - place[contacts.bodies]
+    arms = contacts.on_surfaces(_middles(contacts)) - pose[contacts.bodies]
     for side, sign in ((0, -1.0), (1, 1.0)):
         rows, arm = contacts.bodies[:, side], arms[:, side]
         across = arm[:, 0] * contacts.impulse[:, 1] - arm[:, 1] * contacts.impulse[:, 0]
@@ -79,9 +79,9 @@ def couples(contacts: Contacts, impulse: Array, place: Array, inertia: Array) ->
     return found
 
 
-def rubbing(
+def contact_friction_work(
     contacts: Contacts,
-    place: Array,
+    pose: Array,
     mean: Array,
     inertia: Array,
     running: Array,
@@ -89,9 +89,9 @@ def rubbing(
 ) -> tuple[float, dict[str, float]]:
     """Return the work of friction, and the energy from kinematic bodies and belts [J].
 
-    `contacts` are those of a kick, and `place`, `mean` and `inertia` are as in a `KickRecord`.
+    `contacts` are those of a kick, and `pose`, `mean` and `inertia` are as in a `KickRecord`.
     `running`, (n, 2), are the velocities of the bodies' running surfaces [m/s]; `turned`, (k,), are
-    the angular impulses of the contacts on their second bodies, see `couples`.
+    the angular impulses of the contacts on their second bodies, see `contact_torques`.
     """
     along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
     friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along
@@ -100,7 +100,7 @@ def rubbing(
     work = {"bodies": 0.0, "belt": 0.0}
     for side, sign in ((0, -1.0), (1, 1.0)):
         rows = contacts.bodies[:, side]
-        arm, goes = on_surfaces[:, side] - place[rows], mean[rows]
+        arm, goes = on_surfaces[:, side] - pose[rows], mean[rows]
         moves = point_velocity(goes, arm)
         driven = inertia[rows, 0] == 0
         runs = running[rows]

@@ -18,6 +18,6 @@ class EndlessImpacts(Exception):  # noqa: N818 (it is converted into an error)
         self.body, self._reason, self._values = body, reason, values
         super().__init__(reason)
 
-    def told(self, body: str) -> Message:
+    def message_for(self, body: str) -> Message:
         """Return the reason, with the name of the body."""
         return self._reason.filled(body=f"'{body}'", **self._values)

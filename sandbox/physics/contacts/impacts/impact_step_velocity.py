@@ -23,10 +23,10 @@ MAX_HEIGHT = 10
 def impacts(
     contacts: Contacts,
     solid: Integers,
-    place: Array,
+    pose: Array,
     before: Array,
     after: Array,
-    smooth: Array,
+    law_acceleration: Array,
     mass: Array,
     dt: float,
 ) -> tuple[Integers, Array]:
@@ -37,32 +37,35 @@ def impacts(
     floor to the next. Friction and strings after the impact are left out: the velocity has an error
     of half a step of their effect.
 
-    `solid`, (s, 2), are pairs of bodies that are welded together. `place`, (n, 3), are the
+    `solid`, (s, 2), are pairs of bodies that are welded together. `pose`, (n, 3), are the
     positions of the bodies [m, rad], `before` and `after`, (n, 3), the velocities half a step
-    before and after [m/s, rad/s], and `smooth`, (n, 3), the accelerations by gravity and force
-    laws [m/s², rad/s²]. `mass`, (n,), is 0 for immovable bodies [kg]; `dt` is the time step [s].
+    before and after [m/s, rad/s], and `law_acceleration`, (n, 3), the accelerations by gravity and
+    force laws [m/s², rad/s²]. `mass`, (n,), is 0 for immovable bodies [kg]; `dt` is the time step
+    [s].
     """
-    arms = touching(contacts, place)
-    gain, parting, meeting = rates_apart(contacts, arms, np.stack((smooth, after, before)))
+    arms = touching(contacts, pose)
+    gain, parting, meeting = rates_apart(
+        contacts, arms, np.stack((law_acceleration, after, before))
+    )
     adds = np.abs(gain) * dt
     hits = meeting < -adds
     hits &= contacts.first[:, None] | (parting > adds)  # a further corner of a touching pair
     struck = np.asarray(hits.any(axis=1))
     if not struck.any():
-        return np.flatnonzero(struck), smooth[:0]
+        return np.flatnonzero(struck), law_acceleration[:0]
     hit = np.flatnonzero(reached(contacts.bodies, struck, mass > 0, linked=solid))
     rests = np.asarray((parting <= NEGLIGIBLE * adds).all(axis=1))
-    return hit, _held_up(contacts, rests, smooth, mass == 0)[hit]
+    return hit, _held_up(contacts, rests, law_acceleration, mass == 0)[hit]
 
 
-def touching(contacts: Contacts, place: Array) -> Array:
+def touching(contacts: Contacts, pose: Array) -> Array:
     """Return the lever arms of contact points: (k, 2 points, 2 bodies, 2) [m].
 
     A single contact point is repeated.
     """
     second = np.where(contacts.touches[:, None] > 1, contacts.points[:, 1], contacts.points[:, 0])
     points = np.stack((contacts.points[:, 0], second), axis=1)
-    arms: Array = points[:, :, None] - place[contacts.bodies][:, None, :, :2]
+    arms: Array = points[:, :, None] - pose[contacts.bodies][:, None, :, :2]
     return arms
 
 
@@ -99,17 +102,19 @@ def reached(
     return touched
 
 
-def _held_up(contacts: Contacts, rests: Booleans, smooth: Array, fixed: Booleans) -> Array:
+def _held_up(
+    contacts: Contacts, rests: Booleans, law_acceleration: Array, fixed: Booleans
+) -> Array:
     """Return the accelerations less the components that the ground supports, also indirectly."""
     body, other = contacts.bodies[rests].ravel(), contacts.bodies[rests][:, ::-1].ravel()
     outwards = np.stack([-contacts.direction[rests], contacts.direction[rests]], axis=1)
     outwards = outwards.reshape(-1, 2)
-    acceleration, holds = smooth.copy(), fixed.copy()
-    least = -1e-12 * np.abs(smooth).max()
+    acceleration, holds = law_acceleration.copy(), fixed.copy()
+    least = -1e-12 * np.abs(law_acceleration).max()
     for _ in range(MAX_HEIGHT):
         away = np.einsum("ij,ij->i", acceleration[body, :2], outwards)
         away[fixed[body] | ~holds[other]] = 0.0
-        most = np.zeros(len(smooth))
+        most = np.zeros(len(law_acceleration))
         np.minimum.at(most, body, away)
         pressed = np.flatnonzero((away < least) & (away == most[body]))
         if not pressed.size:

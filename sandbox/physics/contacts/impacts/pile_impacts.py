@@ -70,8 +70,8 @@ class Pile:
     `delassus`, (k, k), is the separation rate of each contact by a unit impulse on each [1/kg].
     `parting`, (k,), are the separation rates, `allowed`, (k,), is the approach velocity that counts
     as zero [m/s], and `restitution`, (k,), are the coefficients of restitution. `partner`, (k,), is
-    the other contact point of the same two sides; −1 if there is none. `met` has the contacts of
-    each impact, in order.
+    the other contact point of the same two sides; −1 if there is none. `impact_groups` has the
+    contacts of each impact, in order.
     """
 
     def __init__(
@@ -85,7 +85,7 @@ class Pile:
         self._delassus, self._parting, self._allowed = delassus, parting.copy(), allowed
         self._restitution, self._partner = restitution, partner
         self._impulse = np.zeros(len(parting))
-        self.met: list[Integers] = []
+        self.impact_groups: list[Integers] = []
 
     def settle(self, bodies: Integers) -> Array:
         """Return the impulses after which no contact approaches: (k,) [N s].
@@ -129,7 +129,7 @@ class Pile:
         """Stop all remaining approaches without a bounce; return the impulses: (k,) [N s]."""
         rest = pushes(self._delassus, self._parting)
         self._impulse += rest
-        self.met.append(np.flatnonzero(rest))
+        self.impact_groups.append(np.flatnonzero(rest))
         return self._impulse
 
     def _wedged(self) -> bool:
@@ -154,14 +154,14 @@ class Pile:
             push = -(1 + e) * self._parting[first] / self._delassus[first, first]
             self._impulse[first] += push
             self._parting += push * self._delassus[first]
-            self.met.append(np.flatnonzero(equal))
+            self.impact_groups.append(np.flatnonzero(equal))
             return 1, e
         group = self._with_partners(np.flatnonzero(equal & (self._restitution == e)))
         delassus = self._delassus[group]
         sizes = _at_once(delassus[:, group], (1 + e) * self._parting[group])
         self._impulse[group] += sizes
         self._parting += sizes @ delassus
-        self.met.append(group)
+        self.impact_groups.append(group)
         return len(group), e
 
     def _with_partners(self, group: Integers) -> Integers:

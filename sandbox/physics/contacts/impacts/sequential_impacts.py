@@ -40,7 +40,9 @@ class Sequence:
         self._restitution, self._inverse_mass = restitution, inverse_mass
         self._moving: Booleans = inverse_mass[:, 0] > 0
         self._turning: Booleans = inverse_mass[:, 2] > 0
-        self._begun = self._smooth = np.zeros_like(inverse_mass)  # velocities and accelerations
+        self._velocity_before = self._smooth = np.zeros_like(
+            inverse_mass
+        )  # velocities and accelerations
         self._lasted = dt
         self._before: partial[Array] | None = None  # constraint accelerations in the kick before
         self.last = ImpactOutcome.none(len(inverse_mass))
@@ -62,7 +64,9 @@ class Sequence:
         if len(contacts.bodies):
             held = before = np.zeros_like(smooth)
             if not start:
-                held = _held(begins, self._begun, self._lasted, self._smooth)
+                held = _constraint_acceleration(
+                    begins, self._velocity_before, self._lasted, self._smooth
+                )
                 before = self._before() if self._before else held
                 velocity = begins + (smooth + held) * (self._dt / 2)
             gives = np.array((smooth, smooth + held, smooth + before)) * self._dt
@@ -71,19 +75,23 @@ class Sequence:
                 self._batch.set_velocity(begins + jump)
         self.last = ImpactOutcome(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
         self._before = (
-            None if start else partial(_held, begins, self._begun, self._lasted, self._smooth)
+            None
+            if start
+            else partial(
+                _constraint_acceleration, begins, self._velocity_before, self._lasted, self._smooth
+            )
         )
-        self._begun, self._smooth = begins + jump, smooth
+        self._velocity_before, self._smooth = begins + jump, smooth
         self._lasted = self._dt / 2 if start else self._dt
 
     def shift(self, jump: Array, change: Array) -> None:
         """Add the impacts located in time since the last kick; see `located_impacts.Cut`."""
-        self._begun = self._begun + jump - change * self._lasted
+        self._velocity_before = self._velocity_before + jump - change * self._lasted
 
     def _exchange(
         self,
         contacts: Contacts,
-        place: Array,
+        pose: Array,
         velocity: Array,
         gives: Array,
         jump: Array,
@@ -92,7 +100,7 @@ class Sequence:
         """Add the outcome of the impacts to `jump` and `impulse`; for `gives` see `_allowed`."""
         if not self._places.are_of(contacts):
             self._places = _Places.of(contacts, self._turning)
-        points = self._places.points(contacts, place)
+        points = self._places.points(contacts, pose)
         parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
         parting = parts.sum(axis=1)
         rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
@@ -105,7 +113,7 @@ class Sequence:
         touched = reached(points.bodies, struck, self._moving)
         near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
         points, parting, allowed = points.only(near), parting[near], allowed[near]
-        jacobian = points.over(len(place))
+        jacobian = points.over(len(pose))
         response = jacobian * self._inverse_mass
         delassus = response.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
         a, b = points.bodies.T
@@ -119,9 +127,11 @@ class Sequence:
         np.add.at(impulse, b, pushes)
 
 
-def _held(ended: Array, begun: Array, lasted: float, smooth: Array) -> Array:
+def _constraint_acceleration(
+    velocity_after: Array, velocity_before: Array, duration: float, smooth: Array
+) -> Array:
     """Return the accelerations in a kick except by gravity and laws: (n, 3) [m/s², rad/s²]."""
-    held: Array = (ended - begun) / lasted - smooth
+    held: Array = (velocity_after - velocity_before) / duration - smooth
     return held
 
 
@@ -177,10 +187,10 @@ class _Places(NamedTuple):
         """Return whether contacts have the same pairs and numbers of points: the same arrays."""
         return contacts.bodies is self.pairs and contacts.touches is self.touches
 
-    def points(self, contacts: Contacts, place: Array) -> _Points:
+    def points(self, contacts: Contacts, pose: Array) -> _Points:
         """Return the contact points, given the positions of the bodies, (n, 2) [m]."""
         at = contacts.points[self.pair, self.which]
-        arm = at[:, None] - place[self.bodies]
+        arm = at[:, None] - pose[self.bodies]
         jacobian = pair_jacobian(arm, contacts.direction[self.pair])
         return _Points(self.bodies, jacobian, self.partner)
 

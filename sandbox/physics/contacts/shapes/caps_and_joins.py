@@ -90,8 +90,8 @@ class _Places:
         return (other for _, other in sorted(near, key=itemgetter(0)) if _meets(end, other))
 
 
-def _cell(place: complex) -> tuple[int, int]:
-    return floor(place.real / MET), floor(place.imag / MET)
+def _cell(position: complex) -> tuple[int, int]:
+    return floor(position.real / MET), floor(position.imag / MET)
 
 
 def _meets(end: _End, other: _End) -> bool:
@@ -106,10 +106,10 @@ def _round_ends(
 ) -> Iterator[_End]:
     """Yield the ends of an arc or curve; a closed one has none."""
     shape = body.spec.shape
-    place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
+    position, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
     if isinstance(line, Course):
         for foot in line.ends:
-            at = place + turned * foot.point
+            at = position + turned * foot.point
             tangent = turned * foot.tangent
             first = foot.parameter == 0
             onwards = -tangent if first else tangent
@@ -117,7 +117,7 @@ def _round_ends(
     elif isinstance(shape, ArcShape) and line.cosine >= -1:
         for angle, sign in ((shape.start(values), -1j), (shape.end(values), 1j)):
             out = rect(1, angle) * turned
-            at = place + turned * line.center + line.radius * out
+            at = position + turned * line.center + line.radius * out
             half = (line.outer - line.inner) / 2
             yield _End(at, sign * out, half, body, angle == shape.start(values))
 
@@ -126,10 +126,10 @@ def _line_ends(body: ShapedBody, values: Values, skin: float) -> Iterator[_End]:
     shape = body.spec.shape
     if not isinstance(shape, Segment | Polyline) or body.spec.type != "static":
         return
-    place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
+    position, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
     half = half_of(body, values, skin)
     for index, neighbour in ((0, 1), (-1, -2)):
-        at, before = (place + turned * body.points[i] for i in (index, neighbour))
+        at, before = (position + turned * body.points[i] for i in (index, neighbour))
         yield _End(at, (at - before) / abs(at - before), half, body, index == 0)
 
 

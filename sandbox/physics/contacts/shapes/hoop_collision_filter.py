@@ -39,9 +39,9 @@ class Enclosures:
         self._space, self._made, self._lines = space, made, lines
         self._bodies = {name: body.body for name, body in made.items()}
         self._bars: list[pymunk.Constraint] = []
-        self.look()
+        self.update()
 
-    def look(self) -> None:
+    def update(self) -> None:
         """Find the bodies inside hoops at the present positions, and exclude their contacts.
 
         Raises `SimulationError` if they are too many.

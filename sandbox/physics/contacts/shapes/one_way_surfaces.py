@@ -123,27 +123,27 @@ class Gates:
             meeting.accept(first=False)
         return True
 
-    def lets(self, one: pymunk.Body, other: pymunk.Body) -> bool:
+    def lets_pass(self, one: pymunk.Body, other: pymunk.Body) -> bool:
         """Return whether one of two bodies lets the other pass, by positions at the last step."""
         a, b = self._row_of[one], self._row_of[other]
-        return any(not self._known(pair) for pair in ((a, b), (b, a)) if pair[0] in self._gates)
+        return any(not self._was_held(pair) for pair in ((a, b), (b, a)) if pair[0] in self._gates)
 
-    def lets_at(self, one: int, other: int, at: Placed, there: Placed) -> bool:
+    def lets_pass_at(self, one: int, other: int, at: Placed, there: Placed) -> bool:
         """Return whether one of two bodies, by row, lets the other pass from given positions."""
         for pair, places in (((one, other), (at, there)), ((other, one), (there, at))):
             if pair[0] in self._gates:
                 seen = self._side(pair, *places)
-                if not (seen == self._gates[pair[0]].hand if seen else self._known(pair)):
+                if not (seen == self._gates[pair[0]].hand if seen else self._was_held(pair)):
                     return True
         return False
 
     def _touching(self, pair: Pair) -> bool:
         """Return whether a pair that touches in this step is held, and remember it."""
-        held = self._known(pair)
+        held = self._was_held(pair)
         self._held[pair] = held, self._steps
         return held
 
-    def _known(self, pair: Pair) -> bool:
+    def _was_held(self, pair: Pair) -> bool:
         """Return whether a pair is held; if it touched in the step before, as it was then."""
         held, touched = self._held.get(pair, (False, -2))
         if touched >= self._steps - 1:

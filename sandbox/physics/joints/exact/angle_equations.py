@@ -35,14 +35,14 @@ class AngleEquation:
     ratio: float = 1.0
     carrier: int = PLANE
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, pose: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the angle, and its gradient."""
         shares = (
             Share(self.b, 0j, float(self.sense)),
             Share(self.a, 0j, -self.sense * self.ratio),
             Share(self.carrier, 0j, -self.sense * (1 - self.ratio)),
         )[: 3 if self.ratio != 1 else 2]
-        return fsum(share.angle * float(place.angle[share.body]) for share in shares), shares
+        return fsum(share.angle * float(pose.angle[share.body]) for share in shares), shares
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,20 +56,20 @@ class RackEquation:
     end: Anchor
     wheel: int
     radius: float
-    way: complex
+    direction: complex
     length: float = 0.0
     changing: None = None
     pulls_only: bool = False
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, pose: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the displacement of the bar beyond the wheel's rotation, and its gradient."""
         body = number(self.end)
-        arm = self.end.point * exp(1j * place.angle[body])
-        apart = complex(place.plane[body] + arm - place.plane[self.wheel])
-        along = (self.way.conjugate() * apart).real
-        return along - self.radius * float(place.angle[self.wheel]), (
-            Share(body, self.way, (self.way.conjugate() * 1j * arm).real),
-            Share(self.wheel, -self.way, -self.radius),
+        arm = self.end.point * exp(1j * pose.angle[body])
+        apart = complex(pose.plane[body] + arm - pose.plane[self.wheel])
+        along = (self.direction.conjugate() * apart).real
+        return along - self.radius * float(pose.angle[self.wheel]), (
+            Share(body, self.direction, (self.direction.conjugate() * 1j * arm).real),
+            Share(self.wheel, -self.direction, -self.radius),
         )
 
 
@@ -89,12 +89,12 @@ class SlotEquation:
     changing: None = None
     pulls_only: bool = False
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, pose: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return how far the point is beside the slot, and its gradient."""
         body, frame = number(self.end), number(self.slot)
-        normal = self.normal * exp(1j * place.angle[frame])
-        arm = self.end.point * exp(1j * place.angle[body])
-        apart = complex(place.plane[body] + arm - place.plane[frame])
+        normal = self.normal * exp(1j * pose.angle[frame])
+        arm = self.end.point * exp(1j * pose.angle[body])
+        apart = complex(pose.plane[body] + arm - pose.plane[frame])
         beside = (normal.conjugate() * apart - self.normal.conjugate() * self.slot.point).real
         return beside, (
             Share(body, normal, (normal.conjugate() * 1j * arm).real),
@@ -122,14 +122,14 @@ class WindingEquation:
     pulls_only: bool = True
     _contact: float = field(default=0.0, init=False)
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, pose: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the length, free and wound, and its gradient.
 
         Raises `JointFailure` if the end of the string is inside the wheel.
         """
         body = number(self.end)
-        arm = self.end.point * exp(1j * place.angle[body])
-        apart = complex(place.plane[body] + arm - place.plane[self.wheel])
+        arm = self.end.point * exp(1j * pose.angle[body])
+        apart = complex(pose.plane[body] + arm - pose.plane[self.wheel])
         square = abs(apart) ** 2 - self.radius**2
         if square <= 0:
             raise JointFailure(
@@ -138,7 +138,7 @@ class WindingEquation:
         free = sqrt(square)
         contact = phase(apart) - self.sense * atan2(free, self.radius)
         self._contact = contact + tau * float(np.rint((self._contact - contact) / tau))
-        wound = self.radius * self.sense * (self._contact - float(place.angle[self.wheel]))
+        wound = self.radius * self.sense * (self._contact - float(pose.angle[self.wheel]))
         along = exp(1j * (contact + self.sense * pi / 2))
         return free + wound, (
             Share(body, along, (along.conjugate() * 1j * arm).real),
@@ -163,7 +163,7 @@ def where(a: Anchor, b: Anchor, start: Coordinates) -> complex:
 
 def starting(equation: Gearing, start: Coordinates) -> Gearing:
     """Return the equation that keeps the value at the start."""
-    return replace(equation, length=equation.look(start)[0])
+    return replace(equation, length=equation.evaluate(start)[0])
 
 
 def angle_stops(name: str, a: Anchor, b: Anchor, least: float, most: float) -> list[AngleEquation]:
@@ -203,7 +203,7 @@ def winding(
     """Return the equation that keeps the length of a wound string at the start."""
     assert wheel.body is not None
     wound = WindingEquation(name, end, wheel.body, radius, sense)
-    wound.length = wound.look(start)[0]
+    wound.length = wound.evaluate(start)[0]
     return wound
 
 

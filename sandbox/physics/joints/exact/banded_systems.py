@@ -41,7 +41,7 @@ class Banded:
         self._reaches, self._count, self._inverse = reaches, count, inverse
         self._row, self._column = reaches.entries
         self._weight = inverse[self._column]
-        pairs = np.array(list(self._meetings()), dtype=np.intp).reshape(-1, 2)
+        pairs = np.array(list(self._coupled_entries()), dtype=np.intp).reshape(-1, 2)
         self._there, self._here = pairs.T
         rows, columns = self._row[self._there], self._row[self._here]
         self._order = _close_together(rows, columns, count)
@@ -52,7 +52,7 @@ class Banded:
         self._into = (2 * self.width + i - j) * count + j  # as LAPACK keeps a band
         self._size = (3 * self.width + 1) * count
 
-    def _meetings(self) -> Iterator[tuple[int, int]]:
+    def _coupled_entries(self) -> Iterator[tuple[int, int]]:
         """Yield the pairs of entries of the same coordinate, for coordinates that can change."""
         held: dict[int, list[int]] = {}
         for entry in np.flatnonzero(self._weight).tolist():
@@ -61,22 +61,22 @@ class Banded:
             yield from ((a, b) for a in entries for b in entries)
 
     @property
-    def pays(self) -> bool:
+    def is_cheaper(self) -> bool:
         """Whether the band is cheaper than the full matrix."""
         return self._count >= FEWEST and self.width <= NARROW * self._count
 
-    def look(self, place: Coordinates) -> Linearization:
+    def linearize(self, pose: Coordinates) -> Linearization:
         """Return the values of the equations at given positions, and their Jacobian."""
-        return Linearization(*self._reaches.measure(place))
+        return Linearization(*self._reaches.measure(pose))
 
-    def along(self, look: Linearization, motion: Array) -> Array:
+    def rates(self, linear: Linearization, motion: Array) -> Array:
         """Return the rates J v of the equations at velocities v (3 N,): (m,)."""
-        moved = look.partials * motion[self._column]
-        return np.bincount(self._row, moved, self._count).astype(float, copy=False)
+        velocity = linear.partials * motion[self._column]
+        return np.bincount(self._row, velocity, self._count).astype(float, copy=False)
 
-    def response(self, look: Linearization, impulse: Array) -> Array:
+    def response(self, linear: Linearization, impulse: Array) -> Array:
         """Return the velocity changes M⁻¹ Jᵀ λ by impulses λ (m,): (3 N,)."""
-        push = impulse[self._row] * look.partials * self._weight
+        push = impulse[self._row] * linear.partials * self._weight
         return np.bincount(self._column, push, len(self._inverse)).astype(float, copy=False)
 
     def solved(self, there: Linearization, here: Linearization, violation: Array) -> Array:
@@ -95,9 +95,9 @@ class Banded:
         impulse[self._order] = found
         return impulse
 
-    def held(
+    def hold(
         self,
-        place: Coordinates,
+        pose: Coordinates,
         motion: Coordinates,
         here: Linearization,
         length: Array,
@@ -113,8 +113,8 @@ class Banded:
         """
         impulse = guess
         for _ in range(MAX_ITERATIONS):
-            moved = motion.values - self.response(here, impulse)
-            there = self.look(Coordinates(place.values + drift * moved))
+            velocity = motion.values - self.response(here, impulse)
+            there = self.linearize(Coordinates(pose.values + drift * velocity))
             wrong = there.total - length
             impulse = impulse + self.solved(there, here, wrong) / drift
             if wrong.dot(wrong) <= QUADRATIC**2:

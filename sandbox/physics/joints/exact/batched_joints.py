@@ -36,7 +36,7 @@ class ManyJoints:
     def __init__(self, joints: Sequence[ExactJoints], step: float) -> None:
         first = joints[0]
         self._order, self._step = order(len(first.inverse) // 3 - 1), step
-        self._reaches = first.reaches.holding(np.array([one.reaches.points for one in joints]))
+        self._reaches = first.reaches.with_points(np.array([one.reaches.points for one in joints]))
         self._inverse = np.array([one.inverse for one in joints])
         self._inertia = inertia_of(self._inverse)
         self._length = np.array([one.lengths(0.0) for one in joints])
@@ -46,21 +46,21 @@ class ManyJoints:
 
     def keep(self, rows: Booleans) -> None:
         """Keep only some of the runs: (N,)."""
-        self._reaches = self._reaches.holding(self._reaches.points[rows])
+        self._reaches = self._reaches.with_points(self._reaches.points[rows])
         for name in ("_inverse", "_inertia", "_length", "_origin"):
             setattr(self, name, getattr(self, name)[rows])
         self._past = [tension[rows] for tension in self._past]
 
-    def solve(self, place: Array, velocity: Array) -> tuple[Array, Booleans]:
+    def solve(self, pose: Array, velocity: Array) -> tuple[Array, Booleans]:
         """Return the velocities with which the joints hold through the next drift: (N, n, 3).
 
         Also return which runs must be solved alone, (N,). Positions and velocities, (N, n, 3), are
         those at the kick [m, rad, m/s, rad/s].
         """
-        here = Coordinates(self._values(place))
+        here = Coordinates(self._values(pose))
         planes(here.values)[:, :-1] -= self._origin
         motion = self._values(velocity)
-        response = self._reaches.look(here).jacobian * self._inverse[:, None]
+        response = self._reaches.evaluate(here).jacobian * self._inverse[:, None]
         impulse, lost = self._newton(here.values, motion, response)
         moved = motion - _times(impulse, response)
         rounding = self._inertia.sum(axis=1) * (QUADRATIC / self._step) ** 2 / 2
@@ -69,14 +69,14 @@ class ManyJoints:
         self._past = [impulse / self._step, *self._past[:2]]
         return moved[:, self._order], lost | gained
 
-    def _newton(self, place: Array, motion: Array, response: Array) -> tuple[Array, Booleans]:
+    def _newton(self, pose: Array, motion: Array, response: Array) -> tuple[Array, Booleans]:
         """Return the impulses, (N, m), and which runs did not converge."""
         impulse, h = parabola(self._past) * self._step, self._step
-        seeking = np.ones(len(place), dtype=bool)
+        seeking = np.ones(len(pose), dtype=bool)
         across = response.swapaxes(1, 2)
         for _ in range(MAX_ITERATIONS):
             moved = motion - _times(impulse, response)
-            there = self._reaches.look(Coordinates(place + h * moved))
+            there = self._reaches.evaluate(Coordinates(pose + h * moved))
             violation = there.total - self._length
             better = impulse + _solved(there.jacobian @ across, violation) / h
             impulse = better if seeking.all() else np.where(seeking[:, None], better, impulse)

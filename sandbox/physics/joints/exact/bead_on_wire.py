@@ -56,10 +56,10 @@ class WireEquation:
         """Forget the last foot point, so that the next one is searched on the whole wire."""
         self._last = None
 
-    def look(self, place: Coordinates) -> tuple[float, tuple[Share]]:
+    def evaluate(self, pose: Coordinates) -> tuple[float, tuple[Share]]:
         """Return the distance [m], positive on the left of the wire, and its gradient."""
-        arm = self.point * np.exp(1j * place.angle[self.body]) if self.point else 0j
-        distance, normal = self.near(complex(place.plane[self.body] + arm))
+        arm = self.point * np.exp(1j * pose.angle[self.body]) if self.point else 0j
+        distance, normal = self.near(complex(pose.plane[self.body] + arm))
         lever = float((normal.conjugate() * 1j * arm).real)
         return distance, (Share(self.body, normal, lever),)
 

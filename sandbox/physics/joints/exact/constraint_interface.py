@@ -89,9 +89,9 @@ def kinetic_energy(inertia: Array, motion: Array) -> Array:
     return np.asarray(np.vecdot(motion * motion, inertia) / 2)
 
 
-def blur(place: Array, drift: float) -> float:
+def blur(pose: Array, drift: float) -> float:
     """Return the rounding error of velocities that follow from positions after a drift [m/s]."""
-    sizes = np.abs(place)
+    sizes = np.abs(pose)
     return PLACES * sizes.item(sizes.argmax()) / abs(drift)
 
 
@@ -147,6 +147,6 @@ class Condition(Protocol):
 class Equation(Condition, Protocol):
     """A condition that computes its own value and gradient."""
 
-    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+    def evaluate(self, pose: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the value at given positions, and its gradient."""
         ...

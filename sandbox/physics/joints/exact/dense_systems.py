@@ -12,16 +12,16 @@ from sandbox.model.expressions import Array
 _kernel = getattr(np.linalg, "_umath_linalg", None)
 
 
-def solve(matrix: Array, wanted: Array) -> Array:
-    """Return the solution of a square system, (m,) or (m, s) as `wanted`.
+def solve(matrix: Array, rhs: Array) -> Array:
+    """Return the solution of a square system, (m,) or (m, s) as `rhs`.
 
     Raises `LinAlgError` if the matrix is singular.
     """
     if _kernel is None:
-        return np.linalg.solve(matrix, wanted).astype(float, copy=False)
+        return np.linalg.solve(matrix, rhs).astype(float, copy=False)
     with np.errstate(all="ignore"):
-        found = (_kernel.solve1 if wanted.ndim == 1 else _kernel.solve)(matrix, wanted)
+        found = (_kernel.solve1 if rhs.ndim == 1 else _kernel.solve)(matrix, rhs)
     first = found.item(0)
     if first != first:  # a singular matrix, or values that are not finite
-        return np.linalg.solve(matrix, wanted).astype(float, copy=False)
+        return np.linalg.solve(matrix, rhs).astype(float, copy=False)
     return np.asarray(found)

@@ -50,7 +50,7 @@ class Reaches:
         self._half = len(reaches)
         held = [a for _, a, _ in reaches] + [b for _, _, b in reaches]
         self._body, points = _ends(held, count)
-        self.hold(points)
+        self.set_points(points)
         self._single = self._half == len(rows) == shape[0]
         self._along = np.array([rows[i].along or 0j for i, _, _ in reaches], dtype=complex)
         self._across = self._along.conj()
@@ -76,24 +76,24 @@ class Reaches:
         row, column = np.divmod(self._into, self._shape[1])
         return row, column
 
-    def look(self, place: Coordinates) -> Rows:
+    def evaluate(self, pose: Coordinates) -> Rows:
         """Return the values of the rows at given positions, and their Jacobian.
 
         Positions may have leading axes, such as one of many runs.
         """
-        many = place.values.shape[:-1]
+        many = pose.values.shape[:-1]
         jacobian = np.zeros((*many, *self._shape))
         if not self._half:
             return Rows(np.zeros((*many, self._shape[0])), jacobian)
-        total, partials = self.measure(place)
+        total, partials = self.measure(pose)
         self._spread(partials, jacobian.reshape(*many, -1))
         return Rows(total, jacobian)
 
-    def measure(self, place: Coordinates) -> tuple[Array, Array]:
+    def measure(self, pose: Coordinates) -> tuple[Array, Array]:
         """Return the values of the rows at given positions, and the entries of their Jacobian."""
-        ends = place.plane.take(self._body, axis=-1)
+        ends = pose.plane.take(self._body, axis=-1)
         if self._turns:
-            arm = self._point * place.turned.take(self._body, axis=-1)
+            arm = self._point * pose.turned.take(self._body, axis=-1)
             ends += arm
             length, unit = self._measure(ends[..., self._half :] - ends[..., : self._half])
             both = np.concatenate((-unit, unit), axis=-1)
@@ -102,20 +102,20 @@ class Reaches:
             reach = ends[..., self._half :] - ends[..., : self._half]
             length, unit = self._measure(reach + self._offset)
             partials = np.concatenate((-unit, unit), axis=-1).view(float)
-        return self._added_up(length), partials
+        return self._row_sums(length), partials
 
     @property
     def points(self) -> Plane:
         """The anchor points on the bodies, first all beginnings, then all ends [m]."""
         return self._point
 
-    def holding(self, points: Plane) -> "Reaches":
+    def with_points(self, points: Plane) -> "Reaches":
         """Return the same segments with other anchor points: (N, 2 k) for many runs."""
         found = copy(self)
-        found.hold(points)
+        found.set_points(points)
         return found
 
-    def hold(self, points: Plane) -> None:
+    def set_points(self, points: Plane) -> None:
         """Set the anchor points on the bodies."""
         self._point = points
         self._offset = points[..., self._half :] - points[..., : self._half]
@@ -130,7 +130,7 @@ class Reaches:
             where: Any = (..., self._into)
             np.add.at(jacobian, where, partials)
 
-    def _added_up(self, length: Array) -> Array:
+    def _row_sums(self, length: Array) -> Array:
         """Return the sum of the lengths of each row."""
         if self._single:
             return length

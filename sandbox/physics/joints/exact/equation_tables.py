@@ -70,9 +70,9 @@ class Equations:
         changes[[row for row, _ in self.changing]] = True
         return changes
 
-    def bodies(self, place: Coordinates) -> list[NDArray[np.intp]]:
+    def bodies(self, pose: Coordinates) -> list[NDArray[np.intp]]:
         """Return the bodies of each equation; the plane is the last of all, or −1."""
-        return [_bodies_of(equation, place) for equation in self.all]
+        return [_bodies_of(equation, pose) for equation in self.all]
 
     def lengths(self, kept: Array, t: float) -> Array:
         """Return the values to keep at a time [s], from those without change: (m,) [m, rad]."""
@@ -100,23 +100,23 @@ class Equations:
         )
         raise JointFailure(name, message)
 
-    def look(self, place: Coordinates) -> Rows:
+    def evaluate(self, pose: Coordinates) -> Rows:
         """Return the values at given positions, and their Jacobian."""
-        return self._with_others(self.reaches.look(place), place, self._numbered)
+        return self._with_others(self.reaches.evaluate(pose), pose, self._numbered)
 
-    def glance(self, place: Coordinates) -> Rows:
-        """Return the same as `look`, but without an effect on the next look."""
+    def evaluate_without_memory(self, pose: Coordinates) -> Rows:
+        """Return the same as `evaluate`, but without an effect on the next evaluation."""
         others = [(row, copy(equation)) for row, equation in self._numbered]
-        return self._with_others(self.reaches.look(place), place, others)
+        return self._with_others(self.reaches.evaluate(pose), pose, others)
 
     def _with_others(
-        self, rows: Rows, place: Coordinates, others: Sequence[tuple[int, Equation]]
+        self, rows: Rows, pose: Coordinates, others: Sequence[tuple[int, Equation]]
     ) -> Rows:
         if not others:
             return rows
         in_plane, in_angle = planes(rows.jacobian), angles(rows.jacobian)
         for row, equation in others:
-            rows.total[row], shares = equation.look(place)
+            rows.total[row], shares = equation.evaluate(pose)
             for body, plane, angle in shares:
                 in_plane[row, body] += plane
                 in_angle[row, body] += angle
@@ -134,10 +134,10 @@ def _by_joint(
     return found
 
 
-def _bodies_of(equation: Condition, place: Coordinates) -> NDArray[np.intp]:
+def _bodies_of(equation: Condition, pose: Coordinates) -> NDArray[np.intp]:
     """Return the bodies of an equation."""
     if isinstance(equation, Row):
         ends = [end.body for reach in equation.reaches for end in reach]
         return np.array([-1 if body is None else body for body in ends], dtype=np.intp)
-    _, shares = copy(cast("Equation", equation)).look(place)
+    _, shares = copy(cast("Equation", equation)).evaluate(pose)
     return np.array([share.body for share in shares], dtype=np.intp)

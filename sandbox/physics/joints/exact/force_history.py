@@ -65,22 +65,22 @@ class ConstraintForces(JointSystem):
     def keep(self, joints: Container[str], t: float) -> None:
         """Let the equations of some joints keep their present values, at a time [s]."""
         kept = [row for row, joint in enumerate(self._joints) if joint in joints]
-        self.length[kept] += self._off(t)[kept]
+        self.length[kept] += self._residuals(t)[kept]
 
-    def beyond(self, joints: Container[str], t: float) -> tuple[str, float]:
+    def largest_excess(self, joints: Container[str], t: float) -> tuple[str, float]:
         """Return the largest excess length among some joints at a time [s], and whose it is.
 
         The excess is in m or rad; it is 0, and the name empty, if there is none.
         """
-        off = zip(self._off(t).tolist(), self._joints, strict=True)
-        excess, joint = max((found for found in off if found[1] in joints), default=(0.0, ""))
+        residuals = zip(self._residuals(t).tolist(), self._joints, strict=True)
+        excess, joint = max((found for found in residuals if found[1] in joints), default=(0.0, ""))
         return joint, max(excess, 0.0)
 
-    def _off(self, t: float) -> Array:
+    def _residuals(self, t: float) -> Array:
         """Return the residuals of the equations at a time [s]: (m,) [m, rad]."""
-        return np.asarray(self.look(self.place()).total - self.lengths(t))
+        return np.asarray(self.evaluate(self.pose()).total - self.lengths(t))
 
-    def calm(self) -> None:
+    def end_added_impact(self) -> None:
         """Treat the equations added like all others: their impact is over."""
         self.added = np.zeros_like(self._taut)
         self._past, self._struck = [], False
@@ -107,7 +107,7 @@ class ConstraintForces(JointSystem):
         last = self._past[0] if self._past else self._cold
         return np.where(self._taut, last, 0.0), self._taut
 
-    def take(self, tension: Array, taut: Booleans, *, struck: bool) -> None:
+    def store_forces(self, tension: Array, taut: Booleans, *, struck: bool) -> None:
         """Store the forces of a kick that was solved elsewhere, and its active equations: (m,).
 
         After an impact they do not predict the next kick.
@@ -141,9 +141,9 @@ class ConstraintForces(JointSystem):
 
     def refit(self, t: float) -> None:
         """Keep the present lengths from a time on [s]."""
-        place, _ = self.coordinates()
+        pose, _ = self.coordinates()
         self.length = np.zeros_like(self.length)
-        self.length = self.look(place).total - self.lengths(t)
+        self.length = self.evaluate(pose).total - self.lengths(t)
         self.tension = np.zeros_like(self.length)
         self._past = []
         self._taut = ~self._pulls_only
@@ -154,10 +154,10 @@ class ConstraintForces(JointSystem):
         rows = len(self.equations.rows)
         driven = [i for i, _ in self.equations.changing if i >= rows]
         if driven:
-            self.length[driven] += self._off(t)[driven]
+            self.length[driven] += self._residuals(t)[driven]
 
     def warm_start(self, wrench: Array) -> None:
         """Add the joint forces of the last kick to the forces of the next: (n, 3) [N, N m]."""
         steady = self._past[0] if self._past else self.tension
         self._warm_start = steady * self.kick
-        wrench += self.wrenches(steady, self.place())
+        wrench += self.wrenches(steady, self.pose())

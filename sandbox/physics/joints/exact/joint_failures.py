@@ -66,7 +66,7 @@ def check_independent(joints: JointSystem, here: Rows, response: Array, length: 
     return independent
 
 
-def lost(
+def failure(
     joints: JointSystem, row: int, taut: Integers, independent: float, tension: Array, drift: float
 ) -> JointFailure:
     """Return why an equation fails: joints work against each other, or the step is too long.
@@ -75,13 +75,13 @@ def lost(
     ratio of smallest to largest singular value at the start. `tension` are the forces along all
     equations in the last kick, (m,) [N], `drift` the duration of a drift [s].
     """
-    place, motion = joints.coordinates()
-    if _runs_up(joints, row, place, motion, drift):
+    pose, motion = joints.coordinates()
+    if _runs_up(joints, row, pose, motion, drift):
         name = joints.names[row]
         return JointFailure(name, Message("an end of '{name}' has run into a peg", name=name))
-    jacobian = joints.look(place).jacobian
+    jacobian = joints.evaluate(pose).jacobian
     delassus = np.asarray(jacobian * joints.inverse @ jacobian.T)[np.ix_(taut, taut)]
-    finer = _finer(joints, place, tension, drift)
+    finer = _finer(joints, pose, tension, drift)
     if delassus.any() and np.isfinite(delassus).all():
         free, shares = independence(delassus)
         if free < LOCKED * independent:
@@ -97,22 +97,22 @@ def lost(
 
 
 def _runs_up(
-    joints: JointSystem, row: int, place: Coordinates, motion: Coordinates, drift: float
+    joints: JointSystem, row: int, pose: Coordinates, motion: Coordinates, drift: float
 ) -> bool:
     """Return whether a string has no length left on one side of a peg within a drift."""
     string = joints.equations.all[row]
     if not isinstance(string, Row) or len(string.reaches) < 2:
         return False
     parts = [replace(string, reaches=[reach]) for reach in string.reaches]
-    here = Equations(parts, (), joints.inverse[2 * len(joints.inverse) // 3 :]).look(place)
+    here = Equations(parts, (), joints.inverse[2 * len(joints.inverse) // 3 :]).evaluate(pose)
     return bool((here.total + drift * (here.jacobian @ motion.values) <= 0).any())
 
 
-def _finer(joints: JointSystem, place: Coordinates, tension: Array, drift: float) -> float:
+def _finer(joints: JointSystem, pose: Coordinates, tension: Array, drift: float) -> float:
     """Return the factor, at least 2, by which joints under tension need more steps."""
 
     def force(by: Array) -> Array:
-        there = joints.equations.glance(Coordinates(place.values + by))
+        there = joints.equations.evaluate_without_memory(Coordinates(pose.values + by))
         return np.asarray(tension @ there.jacobian)
 
     return steps_needed(force, joints.inverse, drift)

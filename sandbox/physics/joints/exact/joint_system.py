@@ -74,7 +74,7 @@ class JointSystem:
         self._unilateral = bool(self._pulls_only.any())
         self.__dict__.pop("band", None)  # the band of the previous equations
         self._last: tuple[bytes, Rows] | None = None  # positions and rows of the last wrenches
-        self.bodies = equations.bodies(self.place())
+        self.bodies = equations.bodies(self.pose())
 
     @cached_property
     def band(self) -> Banded | None:
@@ -83,7 +83,7 @@ class JointSystem:
         if count < FEWEST or self.equations.others or self._unilateral:
             return None
         band = Banded(self.reaches, count, self.inverse)
-        return band if band.pays else None
+        return band if band.is_cheaper else None
 
     @property
     def reaches(self) -> Reaches:
@@ -105,13 +105,13 @@ class JointSystem:
         """The rows whose lengths change with time: (m,)."""
         return self.equations.changes
 
-    def place(self) -> Coordinates:
+    def pose(self) -> Coordinates:
         """Return the present positions."""
         return self.coordinates()[0]
 
-    def at(self, place: Array) -> Coordinates:
+    def at(self, pose: Array) -> Coordinates:
         """Return positions, (n, 3), as coordinates relative to the origin."""
-        found = coordinates_of(place)
+        found = coordinates_of(pose)
         found.plane[:-1] -= self.origin
         return found
 
@@ -123,9 +123,9 @@ class JointSystem:
             planes(values[0])[:-1] -= self.origin
         return Coordinates(values[0]), Coordinates(values[1])
 
-    def look(self, place: Coordinates) -> Rows:
+    def evaluate(self, pose: Coordinates) -> Rows:
         """Return the values of the rows at given positions, and their Jacobian."""
-        return self.equations.look(place)
+        return self.equations.evaluate(pose)
 
     def lengths(self, t: float) -> Array:
         """Return the values to keep at a time [s]: (m,) [m, rad]."""
@@ -135,45 +135,47 @@ class JointSystem:
         """Return the values to keep at both ends of a drift, given by their times [s]."""
         return Course(self.lengths(start), self.lengths(end), start)
 
-    def jacobian(self, place: Array | None = None) -> Array:
+    def jacobian(self, pose: Array | None = None) -> Array:
         """Return the derivatives of the rows by the bodies' positions and angles: (m, n, 3).
 
         They are taken at the given positions (n, 3), or the present ones. The run does not change.
         """
-        here = self.equations.glance(self.place() if place is None else self.at(place))
+        here = self.equations.evaluate_without_memory(
+            self.pose() if pose is None else self.at(pose)
+        )
         return here.jacobian[:, self.order]
 
-    def stiff(self, place: Array | None = None) -> Array:
+    def two_sided_jacobian(self, pose: Array | None = None) -> Array:
         """Return the rows of `jacobian` that can push as well as pull: (m, n, 3)."""
-        return self.jacobian(place)[~self._pulls_only]
+        return self.jacobian(pose)[~self._pulls_only]
 
-    def wrenches(self, tension: Array, place: Coordinates) -> Array:
+    def wrenches(self, tension: Array, pose: Coordinates) -> Array:
         """Return the forces and torques on bodies of forces along rows (m,): (n, 3) [N, N m]."""
-        return -(tension @ self._looked(place).jacobian)[self.order]
+        return -(tension @ self._evaluated(pose).jacobian)[self.order]
 
-    def _looked(self, place: Coordinates) -> Rows:
-        """Return the result of `look`, from memory if the positions are the last ones."""
+    def _evaluated(self, pose: Coordinates) -> Rows:
+        """Return the result of `evaluate`, from memory if the positions are the last ones."""
         if self.equations.others:  # each look changes their state
-            return self.look(place)
-        where = place.values.tobytes()
+            return self.evaluate(pose)
+        where = pose.values.tobytes()
         if self._last is None or self._last[0] != where:
-            self._last = where, self.look(place)
+            self._last = where, self.evaluate(pose)
         return self._last[1]
 
-    def kinetic(self, motion: Array) -> float:
+    def kinetic_energy(self, motion: Array) -> float:
         """Return the kinetic energy of velocities (3 N,) [J]."""
         return float((motion * motion).dot(self._inertia)) / 2
 
-    def parting(self) -> tuple[str, float]:
+    def largest_residual(self) -> tuple[str, float]:
         """Return the joint with the largest residual, and that residual [m, rad]."""
-        place, _ = self.coordinates()
-        off = self.equations.glance(place).total - self.length
-        off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
-        off[self.changes] = 0.0  # the values to keep now are not known here
-        if not len(off):
+        pose, _ = self.coordinates()
+        residuals = self.equations.evaluate_without_memory(pose).total - self.length
+        residuals = np.where(self._pulls_only, np.maximum(residuals, 0.0), np.abs(residuals))
+        residuals[self.changes] = 0.0  # the values to keep now are not known here
+        if not len(residuals):
             return "", 0.0
-        worst = int(off.argmax())
-        return self._joints[worst], float(off[worst])
+        worst = int(residuals.argmax())
+        return self._joints[worst], float(residuals[worst])
 
     def is_driven(self, motion: Array) -> bool:
         """Return whether lengths change, or velocities (3 N,) move a kinematic body."""

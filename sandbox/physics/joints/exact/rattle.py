@@ -12,7 +12,7 @@ enough for the error, which is of second order, and large enough against roundin
 
 
 def motion(
-    joints: JointSystem, mean: Array, smooth: Array, drift: float
+    joints: JointSystem, mean: Array, law_acceleration: Array, drift: float
 ) -> tuple[Array, Array, Array]:
     """Return velocities, accelerations and forces at the present positions.
 
@@ -23,39 +23,42 @@ def motion(
         J (a − M⁻¹ Jᵀ λ) + (dJ/dt) v = 0.
 
     Not for joints that change with time. `mean` are the mean velocities of the n bodies, (n, 3)
-    [m/s, rad/s], `smooth` the accelerations without the joints, (n, 3) [m/s², rad/s²], and `drift`
-    is the duration of a drift [s].
+    [m/s, rad/s], `law_acceleration` the accelerations without the joints, (n, 3) [m/s², rad/s²],
+    and `drift` is the duration of a drift [s].
     """
-    place, free, driven = joints.place(), coordinates_of(mean).values, coordinates_of(smooth).values
+    pose, free = joints.pose(), coordinates_of(mean).values
+    driven = coordinates_of(law_acceleration).values
     if joints.band:
-        moves, accelerations, tension = _by_band(joints.band, place, free, driven, drift)
+        moves, accelerations, tension = _by_band(joints.band, pose, free, driven, drift)
     else:
-        moves, accelerations, tension = _by_matrix(joints, place, free, driven, drift)
+        moves, accelerations, tension = _by_matrix(joints, pose, free, driven, drift)
     return moves[joints.order], accelerations[joints.order], tension
 
 
 def _by_matrix(
-    joints: JointSystem, place: Coordinates, free: Array, driven: Array, drift: float
+    joints: JointSystem, pose: Coordinates, free: Array, driven: Array, drift: float
 ) -> tuple[Array, Array, Array]:
-    jacobian = joints.equations.glance(place).jacobian
+    jacobian = joints.equations.evaluate_without_memory(pose).jacobian
     response = jacobian * joints.inverse
     delassus = jacobian @ response.T
     moves = free - solved(delassus, jacobian @ free) @ response
     way = MOMENT * abs(drift) * moves
-    ahead, behind = (joints.equations.glance(Coordinates(place.values + w)) for w in (way, -way))
+    ahead, behind = (
+        joints.equations.evaluate_without_memory(Coordinates(pose.values + w)) for w in (way, -way)
+    )
     turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(drift))
     tension = solved(delassus, jacobian @ driven + turning)
     return moves, driven - tension @ response, tension
 
 
 def _by_band(
-    band: Banded, place: Coordinates, free: Array, driven: Array, drift: float
+    band: Banded, pose: Coordinates, free: Array, driven: Array, drift: float
 ) -> tuple[Array, Array, Array]:
-    here = band.look(place)
-    moves = free - band.response(here, band.solved(here, here, band.along(here, free)))
+    here = band.linearize(pose)
+    moves = free - band.response(here, band.solved(here, here, band.rates(here, free)))
     way = MOMENT * abs(drift) * moves
-    ahead, behind = (band.look(Coordinates(place.values + w)) for w in (way, -way))
-    turning = band.along(ahead, moves) - band.along(behind, moves)
-    needed = band.along(here, driven) + turning / (2 * MOMENT * abs(drift))
+    ahead, behind = (band.linearize(Coordinates(pose.values + w)) for w in (way, -way))
+    turning = band.rates(ahead, moves) - band.rates(behind, moves)
+    needed = band.rates(here, driven) + turning / (2 * MOMENT * abs(drift))
     tension = band.solved(here, here, needed)
     return moves, driven - band.response(here, tension), tension

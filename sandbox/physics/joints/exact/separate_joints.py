@@ -93,21 +93,21 @@ class Bead:
         `JointFailure` if the wire ends, or bends too sharply for a step.
         """
         x, y, u, v, *plane = self._pair.read()
-        place, motion = complex(x, y) - self._origin, complex(u, v)
-        reply = self._wire.near(place)[1] * self._inverse
+        position, motion = complex(x, y) - self._origin, complex(u, v)
+        reply = self._wire.near(position)[1] * self._inverse
         back = reply.conjugate()
         impulse = guess
         for _ in range(MAX_ITERATIONS):
-            distance, normal = self._wire.near(place + drift * (motion - impulse * reply))
+            distance, normal = self._wire.near(position + drift * (motion - impulse * reply))
             impulse += (distance - length) / (drift * (back * normal).real)
             if abs(distance - length) <= QUADRATIC:
                 break
         else:
             raise ZeroDivisionError
-        moved = motion - impulse * reply
-        if abs(moved) ** 2 > GROWS * abs(motion) ** 2 + (QUADRATIC / drift) ** 2:
+        velocity = motion - impulse * reply
+        if abs(velocity) ** 2 > GROWS * abs(motion) ** 2 + (QUADRATIC / drift) ** 2:
             raise ZeroDivisionError
-        self._pair.set_velocity(moved.real, moved.imag, plane[2], plane[3])
+        self._pair.set_velocity(velocity.real, velocity.imag, plane[2], plane[3])
         return impulse
 
 

@@ -29,7 +29,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
 )
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.exact.force_history import ConstraintForces
-from sandbox.physics.joints.exact.joint_failures import check_independent, lost, overlapping
+from sandbox.physics.joints.exact.joint_failures import check_independent, failure, overlapping
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.separate_joints import alone
 from sandbox.physics.state.cancellation_points import cancellation_point
@@ -62,16 +62,17 @@ class ExactJoints(ConstraintForces):
     def check(self) -> None:
         """Raise a `JointFailure` if equations are redundant, unless that was already checked."""
         if self._fresh and self._joints:
-            here = self.equations.glance(self.place())
+            here = self.equations.evaluate_without_memory(self.pose())
             self._check_independent(here, here.jacobian * self.inverse, self.length)
 
-    def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
+    def motion(self, mean: Array, law_acceleration: Array) -> tuple[Array, Array]:
         """Return velocities and accelerations at the present positions, and store the forces there.
 
         Not for joints that change with time. `mean` are the mean velocities, (n, 3) [m/s, rad/s],
-        and `smooth` the accelerations without the joints, (n, 3) [m/s², rad/s²]; see `rattle`.
+        and `law_acceleration` the accelerations without the joints, (n, 3) [m/s², rad/s²]; see
+        `rattle`.
         """
-        velocity, acceleration, self.tension = motion(self, mean, smooth, self.drift)
+        velocity, acceleration, self.tension = motion(self, mean, law_acceleration, self.drift)
         return velocity, acceleration
 
     def solve(self, until: float) -> None:
@@ -83,7 +84,7 @@ class ExactJoints(ConstraintForces):
         if not self._joints:
             return
         apart = self._alone and not self._fresh
-        self.tension = self._solve_apart(until) if apart else self._solve_together(until)
+        self.tension = self._solve_separately(until) if apart else self._solve_together(until)
         last = self._past[: 3 * self.parts - 1]
         self._past = self._past[:1] if self._struck else [self.tension, *last]
         self._struck = False
@@ -91,7 +92,7 @@ class ExactJoints(ConstraintForces):
         if np.count_nonzero(self.added):
             self.added = np.zeros_like(self._taut)
 
-    def _solve_apart(self, until: float) -> Array:
+    def _solve_separately(self, until: float) -> Array:
         """Solve the equations one by one, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
         warm_start, length = self._warm_start.tolist(), self.lengths(until).tolist()
@@ -102,7 +103,7 @@ class ExactJoints(ConstraintForces):
             try:
                 impulse = one.solve(length[i], guess, self.drift)
             except ZeroDivisionError:
-                raise self.lost(i) from None
+                raise self.failure(i) from None
             found[i] = (warm_start[i] + impulse) / self.kick
         return found
 
@@ -110,36 +111,36 @@ class ExactJoints(ConstraintForces):
         """Solve all equations at once; return the forces along them: (m,) [N]."""
         if self.band and not self._fresh:
             return self._solve_band(self.band, until)
-        place, motion = self.coordinates()
-        here = self.look(place)
+        pose, motion = self.coordinates()
+        here = self.evaluate(pose)
         response = here.jacobian * self.inverse
         length = self.lengths(until)
         if self._fresh:
             self._check_independent(here, response, length)
-        impulse, moved = self._settle(place, motion, response, length)
+        impulse, velocity = self._settle(pose, motion, response, length)
         free = motion.values + self._warm_start @ response
-        work = -(self._warm_start + impulse) * (here.jacobian @ (free + moved))
-        self.refuse_gain(free, moved, work)
-        self.batch.set_velocity(moved[self.order])
+        work = -(self._warm_start + impulse) * (here.jacobian @ (free + velocity))
+        self.refuse_gain(free, velocity, work)
+        self.batch.set_velocity(velocity[self.order])
         # exactly 0 for a slack rope: the books tell by the sign when it is caught
         return np.where(self._taut, (self._warm_start + impulse) / self.kick, 0.0)
 
     def _solve_band(self, band: Banded, until: float) -> Array:
         """Solve all equations as a band; return the forces along them: (m,) [N]."""
-        place, motion = self.coordinates()
-        here, length = band.look(place), self.lengths(until)
+        pose, motion = self.coordinates()
+        here, length = band.linearize(pose), self.lengths(until)
         try:
-            impulse, moved, wrong = band.held(
-                place, motion, here, length, self._guess(), self.drift
+            impulse, velocity, wrong = band.hold(
+                pose, motion, here, length, self._guess(), self.drift
             )
         except np.linalg.LinAlgError:
-            raise self.lost(0) from None
+            raise self.failure(0) from None
         if not wrong.dot(wrong) <= QUADRATIC**2:
-            raise self.lost(int(np.argmax(np.abs(wrong))))
+            raise self.failure(int(np.argmax(np.abs(wrong))))
         free = motion.values + band.response(here, self._warm_start)
-        work = -(self._warm_start + impulse) * band.along(here, free + moved)
-        self.refuse_gain(free, moved, work)
-        self.batch.set_velocity(moved[self.order])
+        work = -(self._warm_start + impulse) * band.rates(here, free + velocity)
+        self.refuse_gain(free, velocity, work)
+        self.batch.set_velocity(velocity[self.order])
         return (self._warm_start + impulse) / self.kick
 
     def _guess(self) -> Array:
@@ -147,7 +148,7 @@ class ExactJoints(ConstraintForces):
         past = self._past[self.parts - 1 :: self.parts]
         return (parabola(past) if past else self._cold) * self.kick - self._warm_start
 
-    def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
+    def refuse_gain(self, free: Array, velocity: Array, work: Array) -> None:
         """Refuse a kick in which joints add energy, unless lengths change or kinematic bodies move.
 
         The velocities are those without the joints' impulses, and with them, (3 N,) [m/s, rad/s];
@@ -155,31 +156,33 @@ class ExactJoints(ConstraintForces):
         joint with the most work.
         """
         rounding = self._mass * (QUADRATIC / self.drift) ** 2 / 2
-        gains = self.kinetic(moved) > GROWS * self.kinetic(free) + rounding
+        gains = self.kinetic_energy(velocity) > GROWS * self.kinetic_energy(free) + rounding
         if gains and not self.is_driven(free):
-            raise self.lost(int(np.argmax(work)))
+            raise self.failure(int(np.argmax(work)))
 
     def _settle(
-        self, place: Coordinates, motion: Coordinates, response: Array, length: Array
+        self, pose: Coordinates, motion: Coordinates, response: Array, length: Array
     ) -> tuple[Array, Array]:
         """Solve with an active set: release ropes that would push, tighten those too long."""
         guess = self._guess()
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
             start = guess if slack is None else np.where(slack, -self._warm_start, guess)
-            impulse, moved, violation = self._newton(place, motion, response, length, start, slack)
+            impulse, velocity, violation = self._newton(
+                pose, motion, response, length, start, slack
+            )
             if not self._unilateral:
-                return impulse, moved
+                return impulse, velocity
             pushes = self._pulls_only & self._taut & (self._warm_start + impulse < 0)
             stretched = ~self._taut & (violation > TAUT)
             if not (pushes.any() or stretched.any()):
-                return impulse, moved
+                return impulse, velocity
             self._taut = (self._taut & ~pushes) | stretched
-        raise self.lost(int(np.argmax(self._pulls_only)))
+        raise self.failure(int(np.argmax(self._pulls_only)))
 
     def _newton(
         self,
-        place: Coordinates,
+        pose: Coordinates,
         motion: Coordinates,
         response: Array,
         length: Array,
@@ -194,8 +197,8 @@ class ExactJoints(ConstraintForces):
         h = self.drift
         for _ in range(MAX_ITERATIONS):
             cancellation_point()
-            moved = motion.values - impulse.dot(response)
-            there = self.look(Coordinates(place.values + h * moved))
+            velocity = motion.values - impulse.dot(response)
+            there = self.evaluate(Coordinates(pose.values + h * velocity))
             violation = there.total - length
             wrong, delassus = violation, there.jacobian.dot(response.T)
             if slack is not None and slack.any():
@@ -212,19 +215,19 @@ class ExactJoints(ConstraintForces):
                 if slack is not None:  # the last step moves slack ropes, too
                     violation = violation - h * there.jacobian.dot(step.dot(response))
                 return impulse, motion.values - impulse.dot(response), violation
-        raise self.lost(int(np.argmax(np.abs(wrong))))
+        raise self.failure(int(np.argmax(np.abs(wrong))))
 
     def _check_independent(self, here: Rows, response: Array, length: Array) -> None:
         """Refuse taut rows that are redundant at the start."""
         self._fresh = False
         self._independence = check_independent(self, here, response, length)
 
-    def lost(self, row: int) -> JointFailure:
+    def failure(self, row: int) -> JointFailure:
         """Return why there is no solution: joints work against each other, or the step is long."""
         tension = np.zeros(len(self.length))  # that of new equations is not known yet
         tension[: len(self.tension)] = self.tension
         taut = np.flatnonzero(self._taut)
-        return lost(self, row, taut, self._independence, tension, self.drift)
+        return failure(self, row, taut, self._independence, tension, self.drift)
 
 
 def parabola(past: list[Number]) -> Number:

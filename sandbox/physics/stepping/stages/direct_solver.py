@@ -21,13 +21,13 @@ def make(setup: Setup) -> Stage:
         direct.forget()
 
     def record(step: StepRecord) -> StepRecord:
-        over = step.impact_count + len(direct.drifts.parted.bodies)
-        return step._replace(divided_drift=direct.drifts.drifted, impact_count=over)
+        over = step.impact_count + len(direct.drifts.separated_contacts.bodies)
+        return step._replace(divided_drift=direct.drifts.drift_before, impact_count=over)
 
     return Stage(
         in_kick=begin,
         after_kick=bearing(setup, solve),
         refit=refit,
         record=record,
-        contacts=lambda: direct.drifts.parted.followed_by(direct.contacts),
+        contacts=lambda: direct.drifts.separated_contacts.followed_by(direct.contacts),
     )

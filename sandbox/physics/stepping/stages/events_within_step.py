@@ -26,10 +26,10 @@ from sandbox.model.expressions import Array
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.energy.taut_rope_jerks import reached_by_jerk
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
-from sandbox.physics.events.breaking_at_impact import borne_jolt
+from sandbox.physics.events.breaking_at_impact import broken_jolt
 from sandbox.physics.events.elastic_stops import Bounces
 from sandbox.physics.events.joint_impacts import Jolt, jolt
-from sandbox.physics.events.switching_events import Part, acted, acted_at_a_step, stored
+from sandbox.physics.events.switching_events import Part, entries_at_step, entries_of, stored_energy
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.joints.joint_forces import JointForces, pulls_of
@@ -95,7 +95,7 @@ class EventStage:
         if not self._parts:
             return step
         if self._leapfrog:
-            done = acted(
+            done = entries_of(
                 self._parts,
                 self._laws,
                 self._scene.inertia,
@@ -104,7 +104,7 @@ class EventStage:
                 self._dt,
             )
         else:
-            done = acted_at_a_step(self._pre_kick_velocity, self._laws, self._switched)
+            done = entries_at_step(self._pre_kick_velocity, self._laws, self._switched)
         return step._replace(events=done._replace(jolts=tuple(self._jolts)))
 
     def perform(self) -> None:
@@ -126,12 +126,12 @@ class EventStage:
     @property
     def _divided_drift(self) -> "DividedDrift | None":
         """The coming drift, if it is taken in parts."""
-        return self._scene.direct.drifts.divided if self._scene.direct else None
+        return self._scene.direct.drifts.drift_after if self._scene.direct else None
 
     def _velocity_before_kick(self) -> Array:
         """Return the velocities before the last kick: (n, 3) [m/s, rad/s]."""
-        drifted = self._scene.direct.drifts.drifted if self._scene.direct else None
-        return drifted.begun if drifted else self._pre_kick_velocity
+        drifted = self._scene.direct.drifts.drift_before if self._scene.direct else None
+        return drifted.pre_kick_velocity if drifted else self._pre_kick_velocity
 
     def _undivided(self, state: Array, before: Array) -> tuple[Part, Booleans]:
         """Return the coming drift without events and landings, given states (n, 6).
@@ -139,7 +139,7 @@ class EventStage:
         Also the bodies that the kick before it struck or jerked: (n,).
         """
         landing, smooth = self._divided_drift, self._forces.law_acceleration
-        after = landing.left if landing else state[:, 3:]
+        after = landing.post_kick_velocity if landing else state[:, 3:]
         acceleration = (after - before) / self._dt
         struck = self._struck() | self._jerked()
         acceleration[struck] = smooth[struck]
@@ -199,9 +199,9 @@ class EventStage:
                 break
             if not number:
                 part = part._replace(forces=self._forces_of(self._dt, struck))
-            left = part.lasts - wait
-            *before, part = self._up_to_jolt(part, wait) if jolts else (part._replace(lasts=wait),)
-            yield from (*before, part)
+            left = part.duration - wait
+            *head, part = self._up_to_jolt(part, wait) if jolts else (part._replace(duration=wait),)
+            yield from (*head, part)
             part = self._perform_event(part, left, act)
         self._finder.note()
         jolted = self._jolts and self._leapfrog and not self._divided_drift
@@ -210,19 +210,19 @@ class EventStage:
     def _first(self, part: Part) -> tuple[str, float] | None:
         """Return the first event in a part, and the time from its start [s]; None if none."""
         if landing := self._divided_drift:
-            at_start = self._finder.first(part._replace(lasts=0.0))
+            at_start = self._finder.first(part._replace(duration=0.0))
             if at_start is None:
-                self._finder.note_crossings(part, landing.between)
+                self._finder.note_crossings(part, landing.kicks_between)
             return at_start
         return self._finder.first(part)
 
     def _up_to_jolt(self, part: Part, wait: float) -> Sequence[Part]:
         """Return the parts up to a jolt, with the force there at their end; see `_last_halves`."""
         if not (self._leapfrog and wait):
-            return (part._replace(lasts=wait),)
-        left = part.lasts - wait
+            return (part._replace(duration=wait),)
+        left = part.duration - wait
         tried = self._trial(part, self._ahead(left), part.state(wait), (left / 2, left))
-        return _in_halves(part._replace(lasts=wait), *tried)
+        return _in_halves(part._replace(duration=wait), *tried)
 
     def _ahead(self, left: float) -> float:
         """Return the share of a step that has passed, given the time left of a drift [s]."""
@@ -234,24 +234,24 @@ class EventStage:
         Its length is `left` [s].
         """
         scene, ahead = self._scene, self._ahead(left)
-        pose, velocity = part.state(part.lasts)
+        pose, velocity = part.state(part.duration)
         t = self._kicks.clock.after(ahead)
         scene.batch.set_state(np.concatenate((pose, velocity), axis=1))
         motion, count = Instant.at(t, pose, velocity), len(self._jolts)
-        before = stored(self._laws, motion)
+        before = stored_energy(self._laws, motion)
         act(t)
-        self._switched += stored(self._laws, motion) - before
+        self._switched += stored_energy(self._laws, motion) - before
         if self._jolts[count:]:
-            velocity = self._jolts[-1].after
+            velocity = self._jolts[-1].velocity_after
             scene.batch.set_velocity(velocity)
         if not self._leapfrog:
-            return part._replace(velocity=velocity, lasts=left)
+            return part._replace(velocity=velocity, duration=left)
         if scene.direct:
             scene.direct.drifts.forget()
         with self._kicks.hold():
             after = self._kicks.settle(ahead, velocity, left / 2, left, at_step=True)
         if landing := self._divided_drift:
-            after = landing.left
+            after = landing.post_kick_velocity
         acceleration = (after - velocity) / (left / 2)
         acceleration[self._fixed] = 0.0
         forces = self._forces_of(left / 2)
@@ -262,9 +262,9 @@ class EventStage:
 
         So the rest of a drift after a jolt is a leapfrog step by itself, and as accurate.
         """
-        pose, _ = part.state(part.lasts)
-        _, middle = part.state(part.lasts / 2)
-        duration = (part.lasts + self._dt) / 2, self._dt
+        pose, _ = part.state(part.duration)
+        _, middle = part.state(part.duration / 2)
+        duration = (part.duration + self._dt) / 2, self._dt
         return _in_halves(part, *self._trial(part, 1.0, (pose, middle), duration))
 
     def _trial(
@@ -304,16 +304,16 @@ class EventStage:
         if reverse and scene.gates:
             scene.gates.reverse(reverse)
         if catch(scene.joints, tie, t):
-            impact = borne_jolt(scene, t, self._breaking_loads, self._dt, partial(jolt, scene, t))
+            impact = broken_jolt(scene, t, self._breaking_loads, self._dt, partial(jolt, scene, t))
             self._jolts.append(impact)
             assert scene.joints.together
-            scene.joints.together.calm()
+            scene.joints.together.end_added_impact()
 
     def _bounce(self, side: int, part: Part, wait: float, t: float) -> None:
         """Let a body bounce off a side of a stop, a time `wait` [s] after the start of a part."""
         assert self._bounces
-        rests = self._bounces.rests(side, part, wait)
-        self._jolts.append(self._bounces.bounce(side, t, rests=rests))
+        rests = self._bounces.would_rest(side, part, wait)
+        self._jolts.append(self._bounces.respond(side, t, rests=rests))
 
     def _rejoin(self, last: Part, state: Array) -> None:
         """Give pymunk a straight drift to the end of the last part; states are (n, 6)."""
@@ -321,7 +321,7 @@ class EventStage:
         if not self._leapfrog:
             self._pre_kick_velocity = last.velocity
             return
-        end, velocity = last.state(last.lasts)
+        end, velocity = last.state(last.duration)
         start = velocity - last.acceleration * (dt / 2)
         pose = end - start * dt
         start[self._fixed], pose[self._fixed] = (state[self._fixed, 3:], state[self._fixed, :3])
@@ -331,7 +331,7 @@ class EventStage:
         scene.joints.time(dt, dt)
         mean = start
         if landing := self._divided_drift:
-            pose, mean = last.place, (landing.end - last.place) / dt
+            pose, mean = last.pose, (landing.end_pose - last.pose) / dt
             mean = np.where(landing.reached[:, None], mean, start)
         scene.batch.set_state(np.concatenate((pose, mean), axis=1))
         self._forces.restart(start - last.acceleration * dt)
@@ -343,8 +343,8 @@ def _in_halves(part: Part, acceleration: Array, forces: Contacts) -> tuple[Part,
 
     `acceleration`, (n, 3), is that at the end [m/s², rad/s²].
     """
-    half, (pose, _) = part.lasts / 2, part.state(part.lasts)
+    half, (pose, _) = part.duration / 2, part.state(part.duration)
     _, middle = part.state(half)
     begin = pose - middle * half - acceleration * (half * half / 2)
     later = Part(part.t + half, half, begin, middle, acceleration, half, forces)
-    return part._replace(lasts=half), later
+    return part._replace(duration=half), later

@@ -23,7 +23,7 @@ def make(setup: Setup) -> Stage:
     cuts = Cuts(setup, impacts, slip_ends)
     return Stage(
         before_drift=cuts.cut,
-        after_step=slip_ends.look if slip_ends else None,
+        after_step=slip_ends.detect if slip_ends else None,
         started=cuts.start,
         contacts=cuts.contacts if slip_ends else None,
         pre_kick_velocity=cuts.pre_kick_velocity,
@@ -58,11 +58,11 @@ class Cuts:
             self._collide(impacts)
         if slip_ends := self._slip_ends:
             if impacts and impacts.impacts:
-                slip_ends.drop(impacts.begun)
+                slip_ends.leave_to_impact(impacts.pre_kick_velocity)
             elif cut := slip_ends.cut():
-                self._forces.restart(cut.begun - cut.acceleration * self._dt)
+                self._forces.restart(cut.pre_kick_velocity - cut.acceleration * self._dt)
                 if impacts:
-                    impacts.begun = cut.begun
+                    impacts.pre_kick_velocity = cut.pre_kick_velocity
 
     def _collide(self, impacts: "ImpactLocator") -> None:
         sequence = self._scene.sequence
@@ -71,7 +71,7 @@ class Cuts:
         ):
             self._forces.shift(cut.jump)
             if sequence:
-                sequence.shift(cut.jump, cut.change)
+                sequence.shift(cut.jump, cut.acceleration_change)
 
     def contacts(self) -> Contacts:
         """Return the contacts of the last kick, which may have been taken again."""
@@ -81,7 +81,7 @@ class Cuts:
         """Return the velocities at the beginning of the last kick: (n, 3) [m/s, rad/s]."""
         locator = self._slip_ends or self._impacts
         assert locator
-        return locator.begun
+        return locator.pre_kick_velocity
 
     def record(self, step: StepRecord) -> StepRecord:
         """Add the impacts and the ends of slipping in the drift of a step to its record."""

@@ -24,7 +24,7 @@ def world(bodies: dict[str, Spec]) -> World:
 def asked(of: World, known: Contacts = NO_CONTACTS) -> Contacts:
     query = Query(of.scene.space, list(of.scene.bodies.values()), of.scene.hollows)
     rows = np.flatnonzero(of.scene.mass).tolist()
-    return query.more(known, rows, SKIN)
+    return query.updated(known, rows, SKIN)
 
 
 def sorted_out(contacts: Contacts) -> Contacts:

@@ -43,18 +43,18 @@ def test_each_point_of_two_sides_has_its_own_side(names: tuple[str, str], leans:
     assert direct
     assert direct._taken
     kick, upper = direct._taken.kick, list(bodies).index("upper")
-    place = kick.place.values.copy()
+    place = kick.pose.values.copy()
     angle = len(place) // 3 * 2 + upper
-    off = (complex(kick.place.plane[upper]) - CORNER) * (np.exp(1j * leans) - 1)
+    off = (complex(kick.pose.plane[upper]) - CORNER) * (np.exp(1j * leans) - 1)
     place[[2 * upper, 2 * upper + 1, angle]] += off.real, off.imag, leans  # its corner comes down
     there = Coordinates(place)
-    kick = direct._build.anew(
-        there, kick.contacts_at(there), Course(kick.before, kick.after, kick.t)
+    kick = direct._build.rebuilt(
+        there, kick.contacts_at(there), Course(kick.lengths_before, kick.lengths_after, kick.t)
     )
     way = np.zeros_like(place)
     way[2 * upper], way[angle] = 0.05, 0.1
 
-    opened = (kick.rows(way).total - kick.here.total)[kick.layout.gaps]
+    opened = (kick.rows(way).total - kick.rows_at_start.total)[kick.layout.gaps]
 
     on_lower = (kick.layout.touching.bodies > 0).all(axis=0)
     rises = np.subtract(heights(place + way, upper), heights(place, upper))

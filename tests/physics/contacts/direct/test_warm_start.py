@@ -73,9 +73,9 @@ def test_contacts_keep_their_forces_where_their_bodies_change_places(
     assert taken
     assert (taken.kick.contacts.touches == 2).all()
     builder, old = direct._build, taken.kick
-    course = Course(old.before, old.after, old.t)
+    course = Course(old.lengths_before, old.lengths_after, old.t)
 
-    new = builder.anew(old.place, change(old.contacts), course)
+    new = builder.rebuilt(old.pose, change(old.contacts), course)
     forces, active = recalled(old, taken.forces, taken.active, new)
 
     for body in (1, 2):

@@ -43,13 +43,13 @@ class ActiveSetResult(NamedTuple):
         are scaled.
         """
         before: list[int] = active.slip.tolist()
-        on, slip = self._bearing(pushing), before.copy()
-        self._rub(on, slip, friction, size)
+        on, slip = self._update_active(pushing), before.copy()
+        self._update_friction(on, slip, friction, size)
         if on == self.on and slip == before:
             return None
         return Active(np.array(on), np.array(slip, dtype=np.intp))
 
-    def _bearing(self, pushing: Sequence[int]) -> list[bool]:
+    def _update_active(self, pushing: Sequence[int]) -> list[bool]:
         """Return the active rows: without those that pull, and with those that would overlap."""
         was, impulse, rate, close, still = self
         on = was.copy()
@@ -58,7 +58,7 @@ class ActiveSetResult(NamedTuple):
                 on[row] = not was[row]
         return on
 
-    def _rub(
+    def _update_friction(
         self, on: list[bool], slip: list[int], friction: Friction, size: Sequence[float]
     ) -> None:
         """Update which rows of friction stick, and the directions of those that slip."""

@@ -16,31 +16,31 @@ class Friction:
     """The rows of friction, whose impulses are bounded; f of them.
 
     `row`, (f,), has the indices of the rows, and `contact`, (2, f), those of the contact rows whose
-    impulses, added up, bound them; −1 for none. `sticks` and `slips`, (f,), are the coefficients of
-    static and of kinetic friction.
+    impulses, added up, bound them; −1 for none. `static` and `kinetic`, (f,), are the coefficients
+    of static and of kinetic friction.
     """
 
     row: Integers
     contact: Integers
-    sticks: Array
-    slips: Array
+    static: Array
+    kinetic: Array
 
     @cached_property
     def each(self) -> list[tuple[int, list[int], float, float]]:
         """Each row, with the contact rows that there are, and its two coefficients."""
         contacts = [[row for row in pair if row >= 0] for pair in self.contact.T.tolist()]
-        coefficients = self.sticks.tolist(), self.slips.tolist()
+        coefficients = self.static.tolist(), self.kinetic.tolist()
         return list(zip(self.row.tolist(), contacts, *coefficients, strict=True))
 
     @cached_property
-    def there(self) -> Booleans:
+    def has_contact(self) -> Booleans:
         """Whether there is such a contact row: (2, f)."""
         return np.asarray(self.contact >= 0)
 
     @cached_property
-    def shares(self) -> tuple[Array, Array]:
+    def coefficients(self) -> tuple[Array, Array]:
         """The static and the kinetic coefficients of each contact row: (2, f) each."""
-        return self.sticks * self.there, self.slips * self.there
+        return self.static * self.has_contact, self.kinetic * self.has_contact
 
 
 NO_FRICTION = Friction(

@@ -13,7 +13,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active, Problem
 from sandbox.physics.contacts.direct.complementarity.friction_bounds import FrictionBounds
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.dense_systems import solve
 from sandbox.physics.state.cancellation_points import cancellation_point
@@ -67,23 +67,23 @@ class _Updates:
         self._delassus = delassus + COMPLIANT * np.eye(len(rate))
         self._pushing, self._row = problem.pushes.nonzero()[0], friction.row
         self._slips = friction.slipping_by_each()
-        self._contact, self._there = friction.contact, problem.friction.there
-        self._asked = most(rate)
+        self._contact, self._there = friction.contact, problem.friction.has_contact
+        self._asked = max_abs(rate)
 
-    def better(self, active: Active, share: float) -> Active | None:
+    def better(self, active: Active, fraction: float) -> Active | None:
         """Return better active rows; None if these are right."""
         impulse = self._with(active)
         rate, on = self._rate + self._delassus.dot(impulse), active.on
-        big, fast = most(impulse) or 1.0, max(self._asked, most(rate)) or 1.0
+        big, fast = max_abs(impulse) or 1.0, max(self._asked, max_abs(rate)) or 1.0
         pushing, row, slip = self._pushing, self._row, active.slip
         presses = np.where(on[pushing], -impulse[pushing] / big, -rate[pushing] / fast)
         own, sticks = impulse[row], on[row]
         over = (np.abs(own) - self._friction.sticking(impulse)) / big
         rubs = np.where(sticks, over, slip * rate[row] / fast)
-        least = max(most(np.maximum(presses, 0.0)), most(np.maximum(rubs, 0.0)))
+        least = max(max_abs(np.maximum(presses, 0.0)), max_abs(np.maximum(rubs, 0.0)))
         if not least > SMALL:
             return None
-        least = max(share * least, SMALL)
+        least = max(fraction * least, SMALL)
         on, slip, turns = on.copy(), slip.copy(), rubs >= least
         on[pushing[presses >= least]] ^= True
         slip[turns] = np.where(sticks, np.sign(own), 0.0)[turns]

@@ -21,19 +21,19 @@ class FrictionBounds:
         self.sizes: list[float] = size.tolist()
 
     @cached_property
-    def _shares(self) -> tuple[Array, Array]:
+    def _scaled_coefficients(self) -> tuple[Array, Array]:
         """The static and the kinetic coefficients of each contact, scaled: (2, f) each."""
-        (sticks, slips), size = self._friction.shares, self._size
+        (sticks, slips), size = self._friction.coefficients, self._size
         scale = size.take(self.row) / size.take(self.contact)
         return sticks * scale, slips * scale
 
     def sticking(self, impulse: Array) -> Array:
         """Return the bounds of friction while it sticks, (f,), with impulses (m,)."""
-        return self._bounds(impulse, self._shares[0])
+        return self._bounds(impulse, self._scaled_coefficients[0])
 
     def slipping(self, impulse: Array) -> Array:
         """Return the size of friction while it slips, (f,), with impulses (m,)."""
-        return self._bounds(impulse, self._shares[1])
+        return self._bounds(impulse, self._scaled_coefficients[1])
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         bounds = coefficients * np.maximum(impulse.take(self.contact), 0.0)
@@ -41,11 +41,11 @@ class FrictionBounds:
 
     def sticking_by_each(self) -> Array:
         """Return the matrix, (f, m), that maps impulses to the bounds while friction sticks."""
-        return self._by_each(self._shares[0])
+        return self._by_each(self._scaled_coefficients[0])
 
     def slipping_by_each(self) -> Array:
         """Return the matrix, (f, m), that maps impulses to the sizes while friction slips."""
-        return self._by_each(self._shares[1])
+        return self._by_each(self._scaled_coefficients[1])
 
     def _by_each(self, coefficients: Array) -> Array:
         shares, each = np.zeros((len(self.row), len(self._size))), np.arange(len(self.row))
@@ -53,7 +53,7 @@ class FrictionBounds:
             shares[each, contact] += share
         return shares
 
-    def follow(self, slip: Integers) -> Array:
+    def substitute_slip(self, slip: Integers) -> Array:
         """Return the matrix, (m, m), that maps the impulses of active rows to all impulses.
 
         Friction that slips, in the direction of its sign in `slip`, (f,), is the coefficient times

@@ -11,7 +11,7 @@ slower than updates of the active set, and used only where these cycle.
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.state.cancellation_points import cancellation_point
 
@@ -45,18 +45,18 @@ def lemke(matrix: Array, offset: Array) -> Array | None:
     table = np.column_stack((-matrix, -cover, offset))
     basis = np.arange(count)
     artificial = 2 * count
-    place = np.arange(-count, count + 1)  # of each variable's column, while it is not in the basis
+    column_of = np.arange(-count, count + 1)  # for variables not in the basis
     entering, row = artificial, int(np.argmin(offset / cover))
     its_row, first_value = row, float((-offset / cover).max())
     for _ in range(min(PIVOTS * count, int(WORK / count**2))):
         cancellation_point()
         leaving = int(basis[row])
-        _pivot(table, row, int(place[entering]))
-        basis[row], place[leaving] = entering, place[entering]
+        _pivot(table, row, int(column_of[entering]))
+        basis[row], column_of[leaving] = entering, column_of[entering]
         if leaving == artificial or table[its_row, -1] <= GONE * first_value:
             return _read(table, basis, count)
         entering = leaving + count if leaving < count else leaving - count
-        found = _ratio(table, int(place[entering]), basis, artificial)
+        found = _ratio(table, int(column_of[entering]), basis, artificial)
         if found is None:
             nearly = table[its_row, -1] <= NEARLY * first_value
             return _read(table, basis, count) if nearly else None
@@ -79,13 +79,13 @@ def _pivot(table: Array, row: int, column: int) -> None:
     dger(-1.0, table[row].copy(), factor, a=table.T, overwrite_a=1)
 
 
-def _ratio(table: Array, place: int, basis: Integers, artificial: int) -> int | None:
+def _ratio(table: Array, entering: int, basis: Integers, artificial: int) -> int | None:
     """Return the row whose variable a column's variable drives to zero first.
 
     None if there is no such row, or if the numbers overflow.
     """
-    column, value = table[:, place], np.maximum(table[:, -1], 0.0)
-    some = (column > NOTHING * most(column)).nonzero()[0]
+    column, value = table[:, entering], np.maximum(table[:, -1], 0.0)
+    some = (column > NOTHING * max_abs(column)).nonzero()[0]
     if not len(some):
         return None
     column, tie = column.take(some), TIE * value[value.argmax()]

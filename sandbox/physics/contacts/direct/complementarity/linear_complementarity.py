@@ -32,8 +32,8 @@ def by_lemke(
     matrix, freely = delassus, rate
     if len(free):
         within = matrix[np.ix_(free, free)] + FAINT * np.eye(len(free))
-        wanted = np.column_stack((matrix[free], rate[free]))
-        through = np.asarray(np.linalg.solve(within, wanted), dtype=float)
+        rhs = np.column_stack((matrix[free], rate[free]))
+        through = np.asarray(np.linalg.solve(within, rhs), dtype=float)
         across: Array = np.asarray(matrix[:, free] @ through)
         matrix, freely = matrix - across[:, :-1], rate - across[:, -1]
     rows = np.concatenate((pushes, row))

@@ -29,7 +29,7 @@ from sandbox.physics.contacts.direct.complementarity.linear_complementarity impo
 from sandbox.physics.contacts.direct.complementarity.redundant_systems import (
     REPEATS,
     least_distance,
-    most,
+    max_abs,
     null,
     solved,
 )
@@ -132,15 +132,15 @@ class _Scaled:
         self._row = problem.friction.row
         self._pushing: list[int] = problem.pushes.nonzero()[0].tolist()
         self._settled = not (len(self._row) or self._pushing)  # joints alone
-        self._largest = 0.0 if self._settled else most(rate)
+        self._largest = 0.0 if self._settled else max_abs(rate)
         self._circles: set[bytes] = set()  # active sets that are known to cycle
 
     @property
     def _asked(self) -> float:
         """The largest rate that impulses have to change; slack rows have none."""
         if self._settled:
-            return most(self._rate)
-        return most(np.where(self._problem.pushes, np.minimum(self._rate, 0.0), self._rate))
+            return max_abs(self._rate)
+        return max_abs(np.where(self._problem.pushes, np.minimum(self._rate, 0.0), self._rate))
 
     def solve(self, active: Active) -> tuple[Array, Active]:
         """Return the impulses and the active rows."""
@@ -150,7 +150,7 @@ class _Scaled:
             impulse, found = (impulse, None) if near is None else self.mend(near)
         if found is None:
             impulse, found = self.mend(self._resting())
-        return (impulse, found) if found is not None else self._by_corners()
+        return (impulse, found) if found is not None else self._by_lemke()
 
     def _resting(self) -> Active:
         """Return the active set of a pile at rest: all rows that take part.
@@ -162,9 +162,9 @@ class _Scaled:
         on[self._row] = True
         return Active(on, np.zeros(len(self._row), dtype=np.intp))
 
-    def _by_corners(self) -> tuple[Array, Active]:
+    def _by_lemke(self) -> tuple[Array, Active]:
         """Return the solution by Lemke's method."""
-        least = MISSED * self._asked + most(self._blur)
+        tolerance = MISSED * self._asked + max_abs(self._blur)
         missed = self._missed(np.zeros_like(self._rate))
         bounds = self._friction.slipping_by_each()
         for soft in SOFT:
@@ -177,9 +177,9 @@ class _Scaled:
                 return impulse, found
             for tried in (self._with(guess)[0], rough):
                 missed = self._missed(tried)
-                largest = most(tried)
-                sound = largest <= REPEATS * self._asked
-                if sound and missed.max() <= least + FAINT * largest:
+                largest = max_abs(tried)
+                bounded = largest <= REPEATS * self._asked
+                if bounded and missed.max() <= tolerance + FAINT * largest:
                     return tried, guess
         raise Unsolvable(int(np.argmax(missed)))
 
@@ -223,7 +223,7 @@ class _Scaled:
             matrix = self._delassus.take(rows, axis=0).take(rows, axis=1)
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
-        gives = self._friction.follow(active.slip)[:, rows]
+        gives = self._friction.substitute_slip(active.slip)[:, rows]
         matrix = self._delassus.take(rows, axis=0).dot(gives)
         found, repeats = solved(matrix, -self._rate.take(rows))
         return gives.dot(found), repeats
@@ -235,7 +235,7 @@ class _Scaled:
         impulses stay as they are.
         """
         rows = np.flatnonzero(active.on)
-        gives = self._friction.follow(active.slip)[:, rows]
+        gives = self._friction.substitute_slip(active.slip)[:, rows]
         free = null(self._delassus[rows] @ gives)
         ways = gives @ free
         pushes = np.flatnonzero(self._problem.pushes & active.on)
@@ -248,7 +248,7 @@ class _Scaled:
 
     def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether the active rows are kept, and do not contradict each other."""
-        off, blur = np.abs(rate), most(self._blur)
+        off, blur = np.abs(rate), max_abs(self._blur)
         if not np.count_nonzero(active.on & ~(off <= blur)):  # nearly always
             return True
         allowed: Array | float = CONTRADICTS * self._asked
@@ -260,14 +260,14 @@ class _Scaled:
         """Return a better active set for these impulses and rates; None if this one is right."""
         if self._settled:
             return None
-        close = TOLERANCE * most(impulse)
-        still = TOLERANCE * max(self._largest, most(rate)) + self._blur
+        close = TOLERANCE * max_abs(impulse)
+        still = TOLERANCE * max(self._largest, max_abs(rate)) + self._blur
         found = ActiveSetResult.of(active, impulse, rate, close, still)
         return found.better(active, self._pushing, self._problem.friction, self._friction.sizes)
 
     def _guess(self, impulse: Array) -> Active:
         """Return the active set that approximate impulses suggest."""
-        close = TOLERANCE * most(impulse)
+        close = TOLERANCE * max_abs(impulse)
         on = self._problem.free | (self._problem.pushes & (impulse > close))
         slip = np.zeros(len(self._row), dtype=np.intp)
         if len(self._row):

@@ -31,31 +31,31 @@ def preload() -> None:
         import_module(library)
 
 
-def most(values: Array) -> float:
+def max_abs(values: Array) -> float:
     """Return the largest absolute value; 0 of an empty array, NaN if any value is NaN."""
     sizes = np.abs(values)
     return sizes.item(sizes.argmax()) if len(sizes) else 0.0
 
 
-def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
+def solved(matrix: Array, rhs: Array) -> tuple[Array, bool]:
     """Return the solution of a linear system, and whether its rows are redundant.
 
     With redundant rows it is the smallest least-squares solution: before Newton's method has
     converged, such rows contradict each other a little.
     """
-    if len(wanted) == 1:
-        return wanted / (matrix[0] if matrix[0, 0] else 1.0), False
+    if len(rhs) == 1:
+        return rhs / (matrix[0] if matrix[0, 0] else 1.0), False
     try:
-        found, probe = solve(matrix, np.array((wanted, _probe(len(wanted)))).T).T
+        found, probe = solve(matrix, np.array((rhs, _probe(len(rhs)))).T).T
     except np.linalg.LinAlgError:
         probe = found = np.full(1, np.inf)
-    if most(probe) < REPEATS:
+    if max_abs(probe) < REPEATS:
         return np.asarray(found), False
-    least = _least(matrix, wanted)
-    return least + _least(matrix, wanted - matrix @ least), True
+    least = _minimum_norm(matrix, rhs)
+    return least + _minimum_norm(matrix, rhs - matrix @ least), True
 
 
-def _least(matrix: Array, wanted: Array) -> Array:
+def _minimum_norm(matrix: Array, rhs: Array) -> Array:
     """Return the smallest least-squares solution, by a complete orthogonal decomposition.
 
     LAPACK is called directly: on few rows the checks of SciPy's `lstsq` take longer than its work.
@@ -64,26 +64,26 @@ def _least(matrix: Array, wanted: Array) -> Array:
 
     cancellation_point()
     count = len(matrix)
-    _, found, *_ = dgelsy(matrix, wanted, np.zeros(count, np.int32), CUT, _room(count).least)
+    _, found, *_ = dgelsy(matrix, rhs, np.zeros(count, np.int32), CUT, _room(count).least)
     return np.asarray(found[:, 0] if found.ndim > 1 else found)
 
 
-def nearest(matrix: Array, wanted: Array) -> Array:
+def nearest(matrix: Array, rhs: Array) -> Array:
     """Return the smallest least-squares solution of a symmetric system: (m,) or (m, s).
 
     By elimination where its rows are clearly independent, else by singular values.
     """
     count = len(matrix)
     if count == 1:
-        return wanted / matrix[0, 0] if matrix[0, 0] else 0.0 * wanted
-    columns = np.column_stack((_probe(count), wanted))
+        return rhs / matrix[0, 0] if matrix[0, 0] else 0.0 * rhs
+    columns = np.column_stack((_probe(count), rhs))
     try:
         found = solve(matrix, columns)
-        if most(found[:, 0]) * matrix.diagonal().max() < SOUND:
-            return np.asarray(found[:, 1:].reshape(wanted.shape))
+        if max_abs(found[:, 0]) * matrix.diagonal().max() < SOUND:
+            return np.asarray(found[:, 1:].reshape(rhs.shape))
     except np.linalg.LinAlgError:
         pass
-    return np.asarray(np.linalg.lstsq(matrix, wanted, rcond=CUT)[0])
+    return np.asarray(np.linalg.lstsq(matrix, rhs, rcond=CUT)[0])
 
 
 def null(matrix: Array) -> Array:
@@ -131,14 +131,14 @@ def least_distance(limits: Array, least: Array) -> Array | None:
     if not len(limits):  # SciPy 1.17 frees memory twice at a table of no columns
         return np.zeros(limits.shape[1])
     size = np.abs(least).max(initial=0.0) or 1.0
-    wanted = np.zeros(limits.shape[1] + 1)
-    wanted[-1] = 1.0
+    rhs = np.zeros(limits.shape[1] + 1)
+    rhs[-1] = 1.0
     table = np.vstack((limits.T, least / size))
     try:
-        weights, _ = nnls(table, wanted)
+        weights, _ = nnls(table, rhs)
     except RuntimeError:  # it has gone on for too long
         return None
-    off = table @ weights - wanted
+    off = table @ weights - rhs
     return None if -off[-1] < FEASIBLE else -off[:-1] / off[-1] * size
 
 

@@ -28,9 +28,9 @@ from sandbox.physics.contacts.direct.drifts.drift_part_solver import PartSolver
 from sandbox.physics.contacts.direct.drifts.drift_parts import (
     DriftPart,
     around,
-    concerned,
     linked,
-    moving,
+    movable,
+    rows_acting_on,
 )
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
 from sandbox.physics.contacts.direct.drifts.joint_catches import (
@@ -46,7 +46,7 @@ from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, 
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
-from sandbox.physics.contacts.direct.kicks.speculative_kicks import closed
+from sandbox.physics.contacts.direct.kicks.speculative_kicks import close_slow_corners
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
@@ -98,13 +98,13 @@ class DriftCutter(PartSolver):
     ) -> None:
         super().__init__(laws, until, driven=driven)
         self._speculative, self._build, self._still = speculative, build, stopped
-        self._meetings, self._anew = MeetingFinder(speculative, laws), True
+        self._meetings, self._may_restart = MeetingFinder(speculative, laws), True
         count = len(laws) // 3 - 1
         self._whole: DriftPart  # the drift
         self.crowd: Booleans = np.zeros(count, dtype=bool)
         self._begin(np.zeros(count, dtype=bool))
 
-    def follow(self, whole: DriftPart) -> list[DriftPart]:
+    def cut_at_landings(self, whole: DriftPart) -> list[DriftPart]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
         A body in a later landing has to be followed from the first one on if other bodies press on
@@ -116,7 +116,7 @@ class DriftCutter(PartSolver):
                 with suppress(_Late):
                     return self._parts(whole)
                 self._begin(self.reached | around(whole.kick, self._near))
-            self._anew = False
+            self._may_restart = False
             return self._parts(whole)
         finally:
             joints.time(kick, whole.drift)
@@ -124,21 +124,21 @@ class DriftCutter(PartSolver):
     def _begin(self, reached: Booleans) -> None:
         """Begin a drift in whose landings some bodies, (n,), are known to take part."""
         self.reached, self._stopped = reached, self._still
-        self._calm = self._stopped & ~reached  # stopped, and not disturbed since
+        self._undisturbed = self._stopped & ~reached  # stopped, and not disturbed since
         self._stops = self._catches = 0  # the ends of slips, and the catches, that were located
         self._early: Booleans | None = None  # those that take part from the first landing on
         self._near: list[Pair] = []  # those that might take part
         self.record = LandingRecord(len(reached))
 
-    def _take_in(self, bodies: Booleans) -> None:
+    def _add_bodies(self, bodies: Booleans) -> None:
         """Note which bodies take part: (n,).
 
         Raises `_Late` if some press on others, but did not take part from the first landing on.
         """
         self.reached = self.reached | bodies
-        if self._early is not None and self._anew:
+        if self._early is not None and self._may_restart:
             late, whole = self.reached & ~self._early, self._whole
-            if np.count_nonzero(whole.forces[concerned(whole.kick, late)]):
+            if np.count_nonzero(whole.forces[rows_acting_on(whole.kick, late)]):
                 raise _Late
 
     def _parts(self, whole: DriftPart) -> list[DriftPart]:
@@ -147,9 +147,9 @@ class DriftCutter(PartSolver):
         while len(parts) <= MOST and (found := self._cut(parts[-1], len(parts))):
             parts[-1:] = found
         if len(parts) > MOST:
-            self.crowd, parts = moving(whole.kick), [whole]
+            self.crowd, parts = movable(whole.kick), [whole]
         elif len(parts) > 1:
-            last = parts[-1]._replace(halts=bool(self._stopped.any()))
+            last = parts[-1]._replace(stopped_crowds=bool(self._stopped.any()))
             parts[-1] = self._lasting(last, whole.drift)
         return parts
 
@@ -158,7 +158,7 @@ class DriftCutter(PartSolver):
 
         Return the two; () if there is none, and the part alone if a crowd was stopped in it.
         """
-        kick, known = part.kick, (self.reached, self._early)
+        kick, saved = part.kick, (self.reached, self._early)
         free = self._loose(part)
         stopped = self._until_it_stops(free)
         kick.joints.time(part.drift, part.drift)
@@ -168,13 +168,13 @@ class DriftCutter(PartSolver):
         met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
         catch = inf if free is part else catch_time(seen, self._laws, self._until, seen.drift)
         met, catch = (None, catch) if met is None or catch < met.time else (met, inf)
-        sunk = [] if catch < inf else self._sunk(seen)
+        sunk = [] if catch < inf else self._deep_pairs(seen)
         if not (met or stopped or sunk or catch < inf):
-            self.reached = known[0]
+            self.reached = saved[0]
             return ()
-        if met and ((halted := self._halted(part, met, number, known[0])) or self.crowd.any()):
+        if met and ((halted := self._halted(part, met, number, saved[0])) or self.crowd.any()):
             return halted
-        self._take_in(around(kick, [*(met.pairs if met else ()), *sunk]))
+        self._add_bodies(around(kick, [*(met.pairs if met else ()), *sunk]))
         self._early = self.reached if self._early is None else self._early
         try:
             if met:
@@ -190,7 +190,7 @@ class DriftCutter(PartSolver):
                 return seen, self._pass(seen, left, met, ahead.pairs)
             return seen, self._land(seen, left, met, ahead.pairs)
         except (JointFailure, NoForces):
-            self.reached, self._early = known  # this is left to the end of the drift
+            self.reached, self._early = saved  # this is left to the end of the drift
             return ()
 
     def _loose(self, part: DriftPart) -> DriftPart:
@@ -198,24 +198,24 @@ class DriftCutter(PartSolver):
         catches = caught(part)
         if self._catches == CATCHES or not np.count_nonzero(catches):
             return part
-        known, held = self.reached, part.kick.acts[part.kick.layout.joints][catches]
-        self.reached = known | linked(part.kick, np.asarray(held.any(axis=0)))
+        saved, held = self.reached, part.kick.acts[part.kick.layout.joints][catches]
+        self.reached = saved | linked(part.kick, np.asarray(held.any(axis=0)))
         try:
-            return self._solved(loose(part), part.drift, part.lasts)
+            return self._solved(loose(part), part.drift, part.kick_duration)
         except (JointFailure, NoForces):
-            self.reached = known
+            self.reached = saved
             return part
 
     def _until_it_stops(self, part: DriftPart) -> DriftPart | None:
         """Return a part up to where its first slip ends; None if none does."""
         ends = slip_ends(part, self._laws)
-        ends = ends[~self._stopped[part.kick.layout.touching.sliding[:, ends]].any(axis=0)]
+        ends = ends[~self._stopped[part.kick.layout.touching.friction_bodies[:, ends]].any(axis=0)]
         if not len(ends) or self._stops == STOPS:
             return None
-        known, slides = self.reached, part.kick.layout.touching.sliding[:, ends]
-        self.reached = known | around(part.kick, slides.T.tolist())
+        saved, slides = self.reached, part.kick.layout.touching.friction_bodies[:, ends]
+        self.reached = saved | around(part.kick, slides.T.tolist())
         if (stopped := until_it_stops(part, ends, self._laws, self._shortened)) is None:
-            self.reached = known
+            self.reached = saved
         return stopped
 
     def _halted(
@@ -226,44 +226,44 @@ class DriftCutter(PartSolver):
         If the part is the whole drift, the `crowd` is only noted: the caller stops it by the kick
         before. `number` counts the parts; `reached`, (n,), took part in what has landed so far.
         """
-        begins, many = part.left == self._whole.drift, number + met.times > FORESEEN
-        dull, struck = self._speculative.dull, self.record.struck
+        begins, many = part.time_left == self._whole.drift, number + met.time_count > FORESEEN
+        dull, struck = self._speculative.dull, self.record.impacts
         crowded = crowd(part.kick, met, dull, struck, begins=begins)
         if many and (begins or not crowded.any()):
-            self.crowd = moving(part.kick)
+            self.crowd = movable(part.kick)
         elif begins and (crowded & ~self._still).any():
             self.crowd = crowded
         if begins or not crowded.any():
             return ()
 
         def again(part: DriftPart, kick: Kick) -> DriftPart:
-            self._take_in(around(kick, kick.contacts.bodies[-kick.closes :].tolist()))
+            self._add_bodies(around(kick, kick.contacts.bodies[-kick.closing_count :].tolist()))
             return self._again(part, kick)
 
         known, self.reached = self.reached, reached
-        self._take_in(crowded)
+        self._add_bodies(crowded)
         found, crowded = stopped(part, crowded, self._speculative, self._build, again)
         if found is part:
             self.reached = known  # no forces are found
             return ()
-        self._stopped, self._calm = self._stopped | crowded, self._calm | crowded
+        self._stopped, self._undisturbed = self._stopped | crowded, self._undisturbed | crowded
         return (found,)
 
-    def _sunk(self, part: DriftPart) -> list[Pair]:
+    def _deep_pairs(self, part: DriftPart) -> list[Pair]:
         """Return the pairs of bodies because of which a part is divided."""
-        return part.sunk if part.drift > LEAST * self._whole.drift else []
+        return part.deep_pairs if part.drift > LEAST * self._whole.drift else []
 
     def _is_calm(self, pair: Pair) -> bool:
         """Return whether one of two bodies was stopped, and nothing has struck them since."""
         both = [*pair]
-        calm, moved = self._calm[both], self.reached[both]
+        calm, moved = self._undisturbed[both], self.reached[both]
         return bool(calm.any() and not (moved & ~calm).any())
 
     def _kept(
         self, part: DriftPart, shorter: DriftPart, met: FirstMeeting | None
     ) -> tuple[DriftPart, FirstMeeting | None]:
         """Return a part so short that its contacts keep their gaps, and what meets at its end."""
-        while self._sunk(shorter):
+        while self._deep_pairs(shorter):
             shorter, met = self._shortened(part, shorter.drift / 2, shorter), None
         return shorter, met
 
@@ -271,17 +271,17 @@ class DriftCutter(PartSolver):
         self, shorter: DriftPart, left: float, met: FirstMeeting | None, near: Sequence[Pair]
     ) -> DriftPart:
         """Return the part after a landing, of length `left` [s]; `met` is None after a mere cut."""
-        place, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
+        pose, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
         if met:
-            down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
+            down = self._speculative.contacts(met.corners, pose, joints.origin, met.hits)
             near = [pair for pair in near if pair not in met.pairs]
         joints.time(left, left)
         course = joints.course(self._until - left, self._until)
-        rest = self._meetings.resting(shorter, near)
-        known = shorter.kick.contacts_at(place).followed_by(rest)
-        kick = self._following(shorter, self._build.anew(place, known.followed_by(down), course))
+        rest = self._meetings.overlapping(shorter, near)
+        known = shorter.kick.contacts_at(pose).followed_by(rest)
+        kick = self._following(shorter, self._build.rebuilt(pose, known.followed_by(down), course))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        self._take_in(around(kick, down.followed_by(rest).bodies.tolist()))
+        self._add_bodies(around(kick, down.followed_by(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = ~kick.ahead & (kick.layout.touching.pair >= len(known.bodies))
         catching = shorter.kick.slack & ~kick.slack
@@ -289,33 +289,35 @@ class DriftCutter(PartSolver):
             begun, stages = self._struck(part, struck, catching)
         else:
             _, begun, stages = self._arrived(part, struck, catching)
-        after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
-        return self._closed(self._solved(after, left, left / 2))
+        after = part._replace(
+            time_left=left, drift=left, start_velocity=begun, stages=stages, velocity=begun
+        )
+        return self._close_corners(self._solved(after, left, left / 2))
 
     def _pass(
         self, shorter: DriftPart, left: float, met: FirstMeeting, near: Sequence[Pair]
     ) -> DriftPart:
         """Return the part after contacts pass the ends of sides, of length `left` [s]."""
-        place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
+        pose, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
         joints.time(left, left)
         course = joints.course(self._until - left, self._until)
-        ended = shorter._replace(kick=shorter.kick.between(place, course))
+        ended = shorter._replace(kick=shorter.kick.between(pose, course))
         _, begun, stages = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
         beside = self._meetings.beside(ended, begun, met, near)
         after, at_ends = ends.after(ended.kick, met.passing, begun)
-        known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
-        kick = self._build.anew(
-            place, known.followed_by(beside).followed_by(after), course, at_ends
+        known = shorter.kick.contacts_at(pose, [one.contact for one in met.passing])
+        kick = self._build.rebuilt(
+            pose, known.followed_by(beside).followed_by(after), course, at_ends
         )
         kick = self._following(shorter, kick)
-        self._take_in(around(kick, beside.bodies.tolist()))
+        self._add_bodies(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         part = DriftPart(kick, left, left, begun, left / 2, forces, active, begun, stages)
-        return self._closed(self._solved(part, left, left / 2))
+        return self._close_corners(self._solved(part, left, left / 2))
 
     def _following(self, ended: DriftPart, kick: Kick) -> Kick:
         """Return the rows where a part ends, with those that are still to close from there on."""
-        self._calm = self._calm & ~self.reached  # the motion of these has changed
+        self._undisturbed = self._undisturbed & ~self.reached  # the motion of these has changed
         opened = ended.kick.open_at(ended.end)
         return self._build.with_ahead(kick, opened) if len(opened.bodies) else kick
 
@@ -327,22 +329,22 @@ class DriftCutter(PartSolver):
         The part already has the rows there; `struck` tells which of its gaps land, (k,), and
         `catching` which of its joints catch, (m,).
         """
-        some, came, before = self._arrived(part, struck, catching)
-        begun, pushes, pairs = coupled_impacts.bounce(some, came, struck, part.active)
+        some, approach, before = self._arrived(part, struck, catching)
+        begun, pushes, pairs = coupled_impacts.solve_impacts(some, approach, struck, part.active)
         stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
-        time = self._whole.drift - part.left + part.drift
+        time = self._whole.drift - part.time_left + part.drift
         self.record.note(pairs, time, stages[1].contacts, landed)
         if np.count_nonzero(catching):
             self.record.jerked = self.record.jerked | self.reached
         return begun, stages
 
-    def _closed(self, part: DriftPart) -> DriftPart:
-        """Return a part in which corners have come down; see `closed`."""
-        return closed(part, self._speculative, self._build, self._laws, self._again)[0]
+    def _close_corners(self, part: DriftPart) -> DriftPart:
+        """Return a part in which corners have come down; see `close_slow_corners`."""
+        return close_slow_corners(part, self._speculative, self._build, self._laws, self._again)[0]
 
     def _again(self, part: DriftPart, kick: Kick) -> DriftPart:
         """Return a part, solved with more rows."""
         forces, active = recalled(part.kick, part.forces, part.active, kick)
         more = part._replace(kick=kick, forces=forces, active=active)
-        return self._solved(more, part.drift, part.lasts)
+        return self._solved(more, part.drift, part.kick_duration)

@@ -40,35 +40,35 @@ class PartSolver:
         self._order = order(count)
         self.reached: Booleans = np.zeros(count, dtype=bool)
 
-    def _solved(self, part: DriftPart, drift: float, lasts: float) -> DriftPart:
+    def _solved(self, part: DriftPart, drift: float, duration: float) -> DriftPart:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
-        joints, start = part.kick.joints, self._until - part.left
+        joints, start = part.kick.joints, self._until - part.time_left
         joints.time(drift, drift)
-        kick = part.kick.lasting(joints.course(start, start + drift))
+        kick = part.kick.before_drift(joints.course(start, start + drift))
         mine, _, drive = others_of(part, self._laws, self.reached)
-        motion = part.begun + lasts * drive
-        part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
+        motion = part.start_velocity + duration * drive
+        part = part._replace(kick=kick, drift=drift, kick_duration=duration, velocity=motion)
         if not mine.any():
             return part
         slips = mine[kick.layout.slips]
         some = replace(kick, layout=kick.layout.around(mine))
         guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
         impulse, moved, held, flat = hold(
-            some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
+            some, motion, (np.where(mine, part.forces * duration, 0.0), guess), driven=self._driven
         )
-        leaning = some.leaning(moved, impulse)
+        leaning = some.with_tilt_friction(moved, impulse)
         if leaning is not None:
             found = impulse, held
             impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
             kick = replace(leaning, layout=kick.layout)
         return part._replace(
             kick=kick,
-            forces=np.where(mine, impulse / lasts, part.forces),
+            forces=np.where(mine, impulse / duration, part.forces),
             active=Active(
                 np.where(mine, held.on, part.active.on),
                 np.where(slips, held.slip, part.active.slip),
             ),
-            moved=moved,
+            velocity=moved,
             flat=flat,
         )
 
@@ -83,20 +83,24 @@ class PartSolver:
             longer = self._solved(last, drift, drift / 2)
         except (JointFailure, NoForces):
             return last
-        return last._replace(lasting=longer.forces) if longer.active.equals(last.active) else last
+        return (
+            last._replace(continuing_forces=longer.forces)
+            if longer.active.equals(last.active)
+            else last
+        )
 
     def _shortened(self, part: DriftPart, drift: float, near: DriftPart) -> DriftPart:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
-        lasts = part.lasts - (part.drift - drift) / 2
+        duration = part.kick_duration - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
             similar = part._replace(forces=near.forces, active=near.active)
             try:
-                return self._solved(similar, drift, lasts)
+                return self._solved(similar, drift, duration)
             except NoForces:
                 if drift > BRIEF * part.drift:
                     raise
-        moved = part.begun + lasts * (self._laws + part.pulls)
-        return part._replace(drift=drift, lasts=lasts, moved=moved)
+        moved = part.start_velocity + duration * (self._laws + part.constraint_acceleration)
+        return part._replace(drift=drift, kick_duration=duration, velocity=moved)
 
     def _arrived(
         self, part: DriftPart, struck: Booleans, catching: Booleans | None = None
@@ -104,11 +108,17 @@ class PartSolver:
         """Return the end of a part, before any impact.
 
         These are the rows of the bodies that are `reached`, the velocities, and the stage up to
-        there; see `_struck`.
+        there; see `DriftCutter._struck`.
         """
         mine, others, drive = others_of(part, self._laws, self.reached)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
-        motion = part.moved + half * drive
-        came, to_it = coupled_impacts.come(some, motion, struck, part.active, catching)
-        return some, came, (Stage.of(part.kick, half, came[self._order], to_it + half * others),)
+        motion = part.velocity + half * drive
+        approach, to_it = coupled_impacts.approach_velocity(
+            some, motion, struck, part.active, catching
+        )
+        return (
+            some,
+            approach,
+            (Stage.of(part.kick, half, approach[self._order], to_it + half * others),),
+        )

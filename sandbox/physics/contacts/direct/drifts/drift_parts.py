@@ -45,80 +45,79 @@ class DriftPart(NamedTuple):
     ----------
     kick
         The rows of that kick.
-    left, drift
+    time_left, drift
         The time from its beginning to the end of the whole drift, and its length [s].
-    begun
+    start_velocity
         (3 N,), the velocities after the impacts at its beginning [m/s, rad/s].
-    lasts
+    kick_duration
         The length of the kick after these impacts [s].
     forces
         (r,), the forces in that kick [N].
     active
         Its active rows.
-    moved
+    velocity
         (3 N,), the velocities in the part [m/s, rad/s].
-    before
+    stages
         The stages at its beginning before that kick.
-    lasting
+    continuing_forces
         (r,), the forces that go on after it, if its own are too rough for that; else None [N].
     flat
         See `KickResult`.
-    halts
+    stopped_crowds
         Whether crowds were stopped in the drift; see `unlocated_landings`.
     """
 
     kick: Kick
-    left: float
+    time_left: float
     drift: float
-    begun: Array
-    lasts: float
+    start_velocity: Array
+    kick_duration: float
     forces: Array
     active: Active
-    moved: Array
-    before: tuple[Stage, ...] = ()
-    lasting: Array | None = None
+    velocity: Array
+    stages: tuple[Stage, ...] = ()
+    continuing_forces: Array | None = None
     flat: bool = False
-    halts: bool = False
+    stopped_crowds: bool = False
 
     @classmethod
-    def after(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
+    def whole_drift(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
-        begun, lasts, forces, active = taken.begun, taken.lasts, taken.forces, taken.active
-        before = taken.stages[:-1]
-        first = cls(taken.kick, drift, drift, begun, lasts, forces, active, moved, before)
+        start, forces = (taken.start_velocity, taken.duration), (taken.forces, taken.active)
+        first = cls(taken.kick, drift, drift, *start, *forces, moved, taken.stages[:-1])
         return first._replace(flat=taken.flat)
 
     @property
-    def pulls(self) -> Array:
+    def constraint_acceleration(self) -> Array:
         """(3 N,), the accelerations by joints and contacts [m/s², rad/s²]."""
         return np.asarray(self.forces @ self.kick.response)
 
     @property
-    def steady(self) -> Array:
+    def later_forces(self) -> Array:
         """(r,), the forces that go on after it [N]."""
-        return self.forces if self.lasting is None else self.lasting
+        return self.forces if self.continuing_forces is None else self.continuing_forces
 
     @property
-    def sunk(self) -> list[Pair]:
+    def deep_pairs(self) -> list[Pair]:
         """The pairs of bodies that end deeper in each other than they should."""
         if not self.flat:
             return []
         kick, gaps = self.kick, self.kick.layout.gaps
-        left = (kick.rows(self.drift * self.moved).total - kick.targets())[gaps]
+        left = (kick.rows(self.drift * self.velocity).total - kick.targets())[gaps]
         return kick.layout.touching.pairs(np.flatnonzero(left < -DEEP))
 
     @property
     def end(self) -> Coordinates:
         """The positions at its end."""
-        return Coordinates(self.kick.place.values + self.drift * self.moved)
+        return Coordinates(self.kick.pose.values + self.drift * self.velocity)
 
 
-def concerned(kick: Kick, reached: Booleans) -> Booleans:
+def rows_acting_on(kick: Kick, reached: Booleans) -> Booleans:
     """Return which rows of a kick act on some of the bodies, (n,): (r,)."""
     return np.asarray(kick.acts[:, reached].any(axis=1))
 
 
-def moving(kick: Kick) -> Booleans:
+def movable(kick: Kick) -> Booleans:
     """Return which bodies impulses can move: (n,)."""
     return np.asarray(kick.joints.inverse[order(kick.acts.shape[1])].any(axis=1))
 
@@ -132,7 +131,7 @@ def around(kick: Kick, pairs: Sequence[Pair]) -> Booleans:
 
 def linked(kick: Kick, some: Booleans) -> Booleans:
     """Return which bodies are in the islands of some bodies, (n,): (n,)."""
-    reached = some & moving(kick)
+    reached = some & movable(kick)
     for rows, _, _ in kick.layout.islands:
         bodies = kick.acts[rows].any(axis=0)
         if (bodies & reached).any():
@@ -145,7 +144,7 @@ def others_of(part: DriftPart, laws: Array, reached: Booleans) -> tuple[Booleans
 
     Also the accelerations by the latter forces and by force laws, (3 N,).
     """
-    mine = concerned(part.kick, reached)
+    mine = rows_acting_on(part.kick, reached)
     others = np.where(mine, 0.0, part.forces)
     return mine, others, laws + others @ part.kick.response
 
@@ -172,29 +171,30 @@ class CutDrift:
     @cached_property
     def divided(self) -> DividedDrift:
         """The drift in parts, for the rest of the step."""
-        whole, led, lasts = self.whole, self._led, self.whole.lasts
-        left = self._moving((led.begun + lasts * (self.laws + led.pulls))[self._places])
-        lead = Stage.of(led.kick, lasts, left, lasts * led.forces)
+        whole, led, duration = self.whole, self._led, self.whole.kick_duration
+        change = duration * (self.laws + led.constraint_acceleration)
+        left = self._moving((led.start_velocity + change)[self._places])
+        lead = Stage.of(led.kick, duration, left, duration * led.forces)
         kept, back = self._taken_back()
         stages = [(part.kick, stage) for part in self.parts[1:] for stage in self._stages(part)]
         between = (self.parts[0].kick, self._given_less()), *stages, (kept, back)
-        lifted = self._lifted(left, [stage for _, stage in between])
+        lifted = self._excess_energy(left, [stage for _, stage in between])
         return DividedDrift(
             left,
             back.velocity,
             self.reached,
-            (*whole.before, lead),
-            tuple(self._seen(kick, stage) for kick, stage in between),
+            (*whole.stages, lead),
+            tuple(self._kick_record(kick, stage) for kick, stage in between),
             1.0,
-            self._place(self.parts[-1].end),
+            self._body_poses(self.parts[-1].end),
             lifted,
         )
 
     @property
-    def onwards(self) -> Array:
+    def end_acceleration(self) -> Array:
         """(n, 3), the accelerations at its end [m/s², rad/s²]."""
         last = self.parts[-1]
-        return np.asarray((self.laws + last.steady @ self._ended.response)[self._places])
+        return np.asarray((self.laws + last.later_forces @ self._ended.response)[self._places])
 
     @cached_property
     def _places(self) -> Integers:
@@ -204,7 +204,7 @@ class CutDrift:
     def _ended(self) -> Kick:
         """The rows of the last part, at its end."""
         last = self.parts[-1]
-        return last.kick.moved(last.end)
+        return last.kick.at_pose(last.end)
 
     @cached_property
     def _led(self) -> DriftPart:
@@ -217,15 +217,15 @@ class CutDrift:
         first, whole = self.parts[0], self.whole
         if first.drift < ROUGH * whole.drift:
             return first if _catches(whole, first) else whole
-        least = JERKS * whole.kick.joints.kinetic(whole.begun)
+        least = JERKS * whole.kick.joints.kinetic_energy(whole.start_velocity)
         jerks = abs(self._work(whole)) > abs(self._work(first)) + least
         return first if jerks or _catches(whole, first) else whole
 
     def _work(self, part: DriftPart) -> float:
         """Return the work of the joints in a whole kick before a part [J]."""
-        lasts, rows = self.whole.lasts, part.kick.layout.joints
-        mean = part.begun + lasts / 2 * (self.laws + part.pulls)
-        return lasts * float(part.forces[rows] @ (part.kick.here.jacobian[rows] @ mean))
+        duration, rows = self.whole.kick_duration, part.kick.layout.joints
+        mean = part.start_velocity + duration / 2 * (self.laws + part.constraint_acceleration)
+        return duration * float(part.forces[rows] @ (part.kick.rows_at_start.jacobian[rows] @ mean))
 
     @property
     def _missing(self) -> float:
@@ -234,10 +234,10 @@ class CutDrift:
 
     @cached_property
     def _lasting(self) -> Array:
-        """(r,), the forces of its last part that are traced back [N]; see `_steady`."""
-        return _steady(self.parts[-1], self.laws, self._missing, self.reached)
+        """(r,), the forces of its last part that are traced back [N]; see `_traced_forces`."""
+        return _traced_forces(self.parts[-1], self.laws, self._missing, self.reached)
 
-    def _lifted(self, left: Array, stages: Sequence[Stage]) -> float:
+    def _excess_energy(self, left: Array, stages: Sequence[Stage]) -> float:
         """Return the excess of the energy in the middle of it, see `DividedDrift` [J].
 
         The work of constant laws is the change of their potential energy, on any path. The books
@@ -250,66 +250,66 @@ class CutDrift:
         are the kicks from there on, up to the velocities before the whole kick after it.
         """
         ended = [stage.velocity for stage in stages]
-        begun, places = [left, *ended[:-1]], self._places
+        velocity_before, places = [left, *ended[:-1]], self._places
         ways = np.zeros_like(left)
-        for stage, before in zip(stages, begun, strict=True):
-            ways += stage.lasts / 2 * (before + stage.velocity)
+        for stage, before in zip(stages, velocity_before, strict=True):
+            ways += stage.duration / 2 * (before + stage.velocity)
         for part in self.parts:
-            ways -= part.drift * part.moved[places]
+            ways -= part.drift * part.velocity[places]
         whole, last = self.whole.drift, self.parts[-1]
         ways += whole / 2 * (left + ended[-1])
-        unsure = ((_lasting(last) - self._lasting) @ self._ended.response)[places]
+        unsure = ((_uncrowded_forces(last) - self._lasting) @ self._ended.response)[places]
         ways -= (whole**2 - last.drift**2) / 8 * unsure
         inertia = inertia_of(self.whole.kick.joints.inverse)[places]
         return float(np.sum((inertia * self.laws[places] * ways)[self.reached]))
 
     def _given_less(self) -> Stage:
         """Return the difference between the kick before it and a whole one."""
-        first, lasts = self.parts[0], self.whole.lasts
-        less = first.forces * first.lasts - lasts * self._led.forces
-        return Stage.of(first.kick, first.lasts - lasts, first.moved[self._places], less)
+        first, whole = self.parts[0], self.whole.kick_duration
+        less = first.forces * first.kick_duration - whole * self._led.forces
+        return Stage.of(first.kick, first.kick_duration - whole, first.velocity[self._places], less)
 
     def _taken_back(self) -> tuple[Kick, Stage]:
         """Return the excess of the whole kick after it, taken back, and its rows."""
         last, kick, missing, forces = self.parts[-1], self._ended, self._missing, self._lasting
-        begun = last.moved - missing * (self.laws + _balanced(forces, last, kick, missing))
-        return kick, Stage.of(kick, -missing, self._moving(begun[self._places]), -missing * forces)
+        rates = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
+        return kick, Stage.of(kick, -missing, self._moving(rates[self._places]), -missing * forces)
 
     def _stages(self, part: DriftPart) -> tuple[Stage, ...]:
         """Return the stages at the beginning of a part."""
-        rest = part.forces * part.lasts
-        return *part.before, Stage.of(part.kick, part.lasts, part.moved[self._places], rest)
+        velocity, rest = part.velocity[self._places], part.forces * part.kick_duration
+        return *part.stages, Stage.of(part.kick, part.kick_duration, velocity, rest)
 
-    def _seen(self, kick: Kick, stage: Stage) -> KickBetweenParts:
+    def _kick_record(self, kick: Kick, stage: Stage) -> KickBetweenParts:
         """Return a stage, limited to the bodies and joints that take part in the landings."""
         joints = kick.layout.joints
-        some = stage.among(self.reached, concerned(kick, self.reached)[joints])
-        jacobian = -kick.here.jacobian[joints][:, self._places]
+        some = stage.among(self.reached, rows_acting_on(kick, self.reached)[joints])
+        jacobian = -kick.rows_at_start.jacobian[joints][:, self._places]
         moving = some._replace(velocity=self._moving(stage.velocity))
-        return KickBetweenParts(self._place(kick.place), jacobian, moving)
+        return KickBetweenParts(self._body_poses(kick.pose), jacobian, moving)
 
     def _moving(self, velocity: Array) -> Array:
         """Return velocities, (n, 3), with those of the whole drift for all other bodies."""
-        return np.where(self.reached[:, None], velocity, self.whole.moved[self._places])
+        return np.where(self.reached[:, None], velocity, self.whole.velocity[self._places])
 
-    def _place(self, there: Coordinates) -> Array:
+    def _body_poses(self, there: Coordinates) -> Array:
         """Return the positions of the bodies: (n, 3) [m, rad]."""
-        way = there.values - self.whole.kick.place.values
-        return self.start + way[self._places]
+        displacement = there.values - self.whole.kick.pose.values
+        return self.start + displacement[self._places]
 
 
 def _catches(whole: DriftPart, first: DriftPart) -> bool:
     """Return whether a rope becomes taut in a drift, but not before its first landing."""
     joints = whole.kick.layout.joints
-    taut, pulls = (part.forces[joints] > 0 for part in (whole, first))
-    return bool((whole.kick.joints.pulls_only & taut & ~pulls).any())
+    taut, taut_at_first = (part.forces[joints] > 0 for part in (whole, first))
+    return bool((whole.kick.joints.pulls_only & taut & ~taut_at_first).any())
 
 
-def _lasting(last: DriftPart) -> Array:
+def _uncrowded_forces(last: DriftPart) -> Array:
     """Return the forces of the last part in islands where no gaps of a crowd close: (r,) [N]."""
-    kick, layout, forces = last.kick, last.kick.layout, last.steady
+    kick, layout, forces = last.kick, last.kick.layout, last.later_forces
     closes = kick.ahead & (last.forces[layout.gaps] > 0)
-    if not (last.halts and closes.any()):
+    if not (last.stopped_crowds and closes.any()):
         return forces
     rows, forces = np.zeros(len(forces), dtype=bool), forces.copy()
     rows[layout.gaps] = closes
@@ -328,23 +328,23 @@ def _balanced(forces: Array, last: DriftPart, kick: Kick, missing: float) -> Arr
     """
     there, then = forces @ kick.response, forces @ last.kick.response
     weights, places = inertia_of(kick.joints.inverse), order(kick.acts.shape[1])
-    speeds = missing * (there - then), np.abs(last.moved) + missing * np.abs(then)
+    speeds = missing * (there - then), np.abs(last.velocity) + missing * np.abs(then)
     gains, has = (np.sqrt(weights * v * v)[places].max(axis=1) for v in speeds)
     unsure = np.zeros(len(then), dtype=bool)
     unsure[places] = (gains > UNSURE * has)[:, None]
     return np.where(unsure, then, there)
 
 
-def _steady(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:
+def _traced_forces(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:
     """Return the forces of the last part that may stand for a whole kick after it: (r,).
 
     Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would give
     the bodies more energy than they have, or than the laws alone give them, and count as 0. So do
     those of islands in which gaps of a crowd close: such forces do work, and would give it back.
     """
-    last = last._replace(lasting=_lasting(last))
-    kinetic, pulls = last.kick.joints.kinetic, last.steady @ last.kick.response
-    least = kinetic(last.moved) + kinetic(missing * laws)
-    if kinetic(last.moved - missing * (laws + pulls)) <= GROWS * least:
-        return last.steady
-    return np.where(concerned(last.kick, reached), 0.0, last.steady)
+    last = last._replace(continuing_forces=_uncrowded_forces(last))
+    kinetic, pulls = last.kick.joints.kinetic_energy, last.later_forces @ last.kick.response
+    least = kinetic(last.velocity) + kinetic(missing * laws)
+    if kinetic(last.velocity - missing * (laws + pulls)) <= GROWS * least:
+        return last.later_forces
+    return np.where(rows_acting_on(last.kick, reached), 0.0, last.later_forces)

@@ -12,27 +12,27 @@ from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts
 class Drifts:
     """Records the drifts before and after a kick; n bodies.
 
-    If the drift after the kick is taken in parts, `divided` is that drift, and `kicked`, (n, 3),
-    are the velocities after the kick [m/s, rad/s]; else both are None. In the same way, `drifted`
-    is the drift before the kick, and `led`, (n, 3), are the mean velocities in it [m/s, rad/s].
-    `parted` are the contacts of its landings that had parted at its end, without impulses;
-    `landings` tells what collided in them.
+    If the drift after the kick is taken in parts, `drift_after` is that drift, and
+    `post_kick_velocity`, (n, 3), are the velocities after the kick [m/s, rad/s]; else both are
+    None. In the same way, `drift_before` is the drift before the kick, and `mean_velocity_before`,
+    (n, 3), are the mean velocities in it [m/s, rad/s]. `separated_contacts` are the contacts of its
+    landings that had parted at its end, without impulses; `landings` tells what collided in them.
     """
 
     def __init__(self, count: int) -> None:
         self._none = LandingRecord(count)
-        self.kicked: Array | None = None
-        self.divided: DividedDrift | None = None
-        self.drifted: DividedDrift | None = None
-        self.led: Array | None = None
-        self._leads: Array | None = None  # the same for the drift after the kick
-        self.parted = NO_CONTACTS
-        self.landings = self._lands = self._none
+        self.post_kick_velocity: Array | None = None
+        self.drift_after: DividedDrift | None = None
+        self.drift_before: DividedDrift | None = None
+        self.mean_velocity_before: Array | None = None
+        self._mean_velocity_after: Array | None = None  # the same for the drift after the kick
+        self.separated_contacts = NO_CONTACTS
+        self.landings = self._landings_after = self._none
 
     @property
-    def struck(self) -> Sequence[LandingImpact]:
+    def impacts(self) -> Sequence[LandingImpact]:
         """The collisions in the landings of the drift before it, in order."""
-        return self.landings.struck
+        return self.landings.impacts
 
     @property
     def jerked(self) -> Booleans:
@@ -40,31 +40,39 @@ class Drifts:
 
         The forces of such joints in the kick are then partly those of the jerk.
         """
-        return self._lands.jerked
+        return self._landings_after.jerked
 
     def begin(self, contacts: Contacts) -> None:
         """Go on to the next kick, at whose beginning there are some contacts."""
-        self.kicked, self.drifted, self.divided = None, self.divided, None
-        self.led, self._leads = self._leads, None
-        self.landings, self._lands = self._lands, self._none
-        self.parted = _without(self.landings.met, contacts)
+        self.post_kick_velocity, self.drift_before, self.drift_after = None, self.drift_after, None
+        self.mean_velocity_before, self._mean_velocity_after = self._mean_velocity_after, None
+        self.landings, self._landings_after = self._landings_after, self._none
+        self.separated_contacts = _without(self.landings.contacts, contacts)
 
     def take_back(self) -> None:
         """Go back to before the last `begin`, since its kick is solved again."""
-        self.divided, self._leads, self._lands = self.drifted, self.led, self.landings
+        self.drift_after, self._mean_velocity_after, self._landings_after = (
+            self.drift_before,
+            self.mean_velocity_before,
+            self.landings,
+        )
 
     def forget(self) -> None:
         """Forget the drift after the last kick: bodies were put elsewhere, or joints changed."""
-        self.divided = self._leads = None
-        self._lands = self._none
+        self.drift_after = self._mean_velocity_after = None
+        self._landings_after = self._none
 
     def divide(self, divided: DividedDrift, mean: Array) -> None:
         """Record that the drift after the kick is taken in parts, with mean velocities, (n, 3)."""
-        self.divided, self.kicked, self._leads = divided, divided.left, mean
+        self.drift_after, self.post_kick_velocity, self._mean_velocity_after = (
+            divided,
+            divided.post_kick_velocity,
+            mean,
+        )
 
     def land(self, landings: LandingRecord) -> None:
         """Record the landings in the drift after the kick."""
-        self._lands = landings
+        self._landings_after = landings
 
 
 def _without(met: Contacts, others: Contacts) -> Contacts:

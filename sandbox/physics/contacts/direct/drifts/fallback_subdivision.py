@@ -30,11 +30,11 @@ where positions cannot be."""
 class KickBetweenParts(NamedTuple):
     """A kick between two parts of a drift; n bodies, m equations of joints.
 
-    `place`, (n, 3), are the positions there [m, rad], `jacobian`, (m, n, 3), is that of the joints'
+    `pose`, (n, 3), are the positions there [m, rad], `jacobian`, (m, n, 3), is that of the joints'
     equations there, and `stage` is the kick.
     """
 
-    place: Array
+    pose: Array
     jacobian: Array
     stage: Stage
 
@@ -44,47 +44,47 @@ class DividedDrift(NamedTuple):
 
     Attributes
     ----------
-    left
+    post_kick_velocity
         (n, 3), the velocities after a whole kick before it [m/s, rad/s].
-    begun
+    pre_kick_velocity
         (n, 3), the velocities before a whole kick after it [m/s, rad/s].
     reached
         (n,), which bodies move in parts; the others go straight on through all of it.
-    before
+    stages_before
         The stages of the kick before it, which ends in the middle of the first part of the drift.
-    between
+    kicks_between
         The kicks in it, and at its end the excess of the whole kick after it, taken back.
-    first
+    first_fraction
         The first share of it, in the middle of which the books are read.
-    end
+    end_pose
         (n, 3), the positions at its end [m, rad].
-    lifted
+    excess_energy
         The excess of the energy in the middle of it that only another acceleration explains [J].
     """
 
-    left: Array
-    begun: Array
+    post_kick_velocity: Array
+    pre_kick_velocity: Array
     reached: Booleans
-    before: tuple[Stage, ...]
-    between: tuple[KickBetweenParts, ...]
-    first: float
-    end: Array
-    lifted: float = 0.0
+    stages_before: tuple[Stage, ...]
+    kicks_between: tuple[KickBetweenParts, ...]
+    first_fraction: float
+    end_pose: Array
+    excess_energy: float = 0.0
 
 
 class SolvedInnerKick(NamedTuple):
     """A solved kick between two parts of a drift; r rows, N bodies with the plane.
 
-    `kick` is its system, and `lasts` its length [s]. `impulse`, (r,), are its impulses, and
-    `moved`, (3 N,), the velocities after it [m/s, rad/s].
+    `kick` is its system, and `duration` its length [s]. `impulse`, (r,), are its impulses, and
+    `velocity`, (3 N,), the velocities after it [m/s, rad/s].
     """
 
     kick: Kick
-    lasts: float
+    duration: float
     impulse: Array
-    moved: Array
+    velocity: Array
 
-    def seen(self, start: Array, origin: Array, order: Integers) -> KickBetweenParts:
+    def kick_record(self, start: Array, origin: Array, order: Integers) -> KickBetweenParts:
         """Return it for the rest of the step.
 
         `start`, (n, 3), and `origin`, (3 N,), are the positions at the start of the drift, by
@@ -92,10 +92,10 @@ class SolvedInnerKick(NamedTuple):
         each body.
         """
         kick = self.kick
-        place = start + (kick.place.values - origin)[order]
-        jacobian = -kick.here.jacobian[kick.layout.joints][:, order]
-        stage = Stage.of(kick, self.lasts, self.moved[order], self.impulse)
-        return KickBetweenParts(place, jacobian, stage)
+        pose = start + (kick.pose.values - origin)[order]
+        jacobian = -kick.rows_at_start.jacobian[kick.layout.joints][:, order]
+        stage = Stage.of(kick, self.duration, self.velocity[order], self.impulse)
+        return KickBetweenParts(pose, jacobian, stage)
 
 
 class SolvedDrift(NamedTuple):
@@ -103,36 +103,38 @@ class SolvedDrift(NamedTuple):
 
     `first` is the kick before it, shorter than a whole one by the time `missing` [s]; `inner` are
     the kicks in it. The acceleration, (3 N,), is that by gravity and force laws in all of
-    them [m/s², rad/s²]; `way`, (3 N,), is the displacement [m, rad].
+    them [m/s², rad/s²]; `displacement`, (3 N,), is that of the bodies [m, rad].
     """
 
     first: KickResult
     inner: tuple[SolvedInnerKick, ...]
     acceleration: Array
     missing: float
-    way: Array
+    displacement: Array
 
     @property
-    def whole(self) -> Array:
+    def full_impulse(self) -> Array:
         """(r,), the impulses of a whole kick before it."""
-        return self.first.total + self.missing * self.first.forces
+        return self.first.impulse + self.missing * self.first.forces
 
-    def seen(self, start: Array, order: Integers) -> DividedDrift:
-        """Return it for the rest of the step, from `positions`, (n, 3) [m, rad]."""
+    def drift_record(self, start: Array, order: Integers) -> DividedDrift:
+        """Return it for the rest of the step, from the pose `start`, (n, 3) [m, rad]."""
         first, lost = self.first, self.missing
-        kick, moved = first.kick, first.moved
+        kick, moved = first.kick, first.velocity
         forces = first.forces.dot(kick.response)
         length = kick.joints.kick - lost
-        begun = (self.inner[-1].moved - lost * self.acceleration)[order]
-        between = [one.seen(start, kick.place.values, order) for one in self.inner]
-        end, last = start + self.way[order], between[-1]
-        nothing = Stage.of(self.inner[-1].kick, -lost, begun, 0.0 * self.inner[-1].impulse)
+        velocity_before = (self.inner[-1].velocity - lost * self.acceleration)[order]
+        between = [one.kick_record(start, kick.pose.values, order) for one in self.inner]
+        end, last = start + self.displacement[order], between[-1]
+        nothing = Stage.of(
+            self.inner[-1].kick, -lost, velocity_before, 0.0 * self.inner[-1].impulse
+        )
         back = KickBetweenParts(end, last.jacobian, nothing)
         return DividedDrift(
             (moved + lost * (self.acceleration + forces))[order],
-            begun,
+            velocity_before,
             np.ones(len(start), dtype=bool),
-            first.stages or (Stage.of(kick, length, moved[order], first.total),),
+            first.stages or (Stage.of(kick, length, moved[order], first.impulse),),
             (*between, back),
             1 / (len(between) + 1),
             end,
@@ -177,17 +179,17 @@ def _in_parts(
     drift = whole / len(courses)
     missing = (whole - drift) / 2  # of the length of the kicks before and after
     joints.time(whole - missing, drift)
-    first = take(kick.lasting(courses[0]), placed=placed)
-    moved, forces, active = first.moved, first.forces, first.active
+    first = take(kick.before_drift(courses[0]), placed=placed)
+    moved, forces, active = first.velocity, first.forces, first.active
     joints.time(drift, drift)
-    place, inner = Coordinates(kick.place.values + drift * moved), []
+    pose, inner = Coordinates(kick.pose.values + drift * moved), []
     for course in courses[1:]:
-        now = kick.between(place, course)
+        now = kick.between(pose, course)
         motion = moved + drift * acceleration
         impulse, moved, active, _ = hold(
             now, motion, (drift * forces, active), driven=False, placed=placed
         )
         inner.append(SolvedInnerKick(now, drift, impulse, moved))
         forces = impulse / drift
-        place = Coordinates(place.values + drift * moved)
-    return SolvedDrift(first, tuple(inner), acceleration, missing, place.values - kick.place.values)
+        pose = Coordinates(pose.values + drift * moved)
+    return SolvedDrift(first, tuple(inner), acceleration, missing, pose.values - kick.pose.values)

@@ -53,18 +53,19 @@ class FirstMeeting(NamedTuple):
 
     `time` is since the start of the drift [s]. `hits` are the impacts of bodies that did not touch
     before; `corners` land on a side of a body that their own body already touches; `passing` are
-    the contacts that pass the end of a side, if nothing lands. `coming` are all pairs of bodies
-    with an impact in the drift, also after this one; `falling` are all pairs of which a corner
-    lands in it. `times` is the number of distinct times of the impacts of `coming`.
+    the contacts that pass the end of a side, if nothing lands. `impact_pairs` are all pairs of
+    bodies with an impact in the drift, also after this one; `corner_pairs` are all pairs of which a
+    corner lands in it. `time_count` is the number of distinct times of the impacts of
+    `impact_pairs`.
     """
 
     time: float
     hits: Sequence[Hit]
     corners: Sequence[AnyCorner]
     passing: Sequence[EndCrossing]
-    coming: Sequence[Pair]
-    falling: Sequence[Pair]
-    times: int
+    impact_pairs: Sequence[Pair]
+    corner_pairs: Sequence[Pair]
+    time_count: int
 
     @property
     def again(self) -> PossibleMeetings:
@@ -93,31 +94,35 @@ class MeetingFinder:
 
     def ahead(self, part: DriftPart, calm: Callable[[Pair], bool]) -> PossibleMeetings:
         """Return what may meet in a part of a drift, but for pairs that are `calm`."""
-        look, kick, way = self._speculative, part.kick, part.drift * part.moved
-        pairs = look.approaching.near(kick.contacts, kick.place, way)
+        speculative, kick, way = self._speculative, part.kick, part.drift * part.velocity
+        pairs = speculative.approaching.near(kick.contacts, kick.pose, way)
         return PossibleMeetings(
             [pair for pair in pairs if not calm(pair)],
-            [one for one in look.corners(kick, part.moved) if not calm(one.pair)],
-            [one for one in look.ends.passing(kick, way, part.forces) if not calm(one.bodies)],
+            [one for one in speculative.corners(kick, part.velocity) if not calm(one.pair)],
+            [
+                one
+                for one in speculative.ends.passing(kick, way, part.forces)
+                if not calm(one.bodies)
+            ],
         )
 
     def first(
         self, part: DriftPart, longest: float, ahead: PossibleMeetings
     ) -> FirstMeeting | None:
         """Return what meets first on the parabolas of a part within a time `longest` [s]."""
-        total, (pairs, corners, passing) = self._laws + part.pulls, ahead
-        begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
+        total, (pairs, corners, passing) = self._laws + part.constraint_acceleration, ahead
+        velocity, pose = part.velocity - total * (part.drift / 2), part.kick.pose.values
 
         def at(t: float) -> Coordinates:
-            return Coordinates(place + t * (begun + total * (t / 2)))
+            return Coordinates(pose + t * (velocity + total * (t / 2)))
 
         def height(corner: AnyCorner, t: float) -> float:
             return self._speculative.height(corner, at(t)) - TOUCH
 
         def left(one: EndCrossing, t: float) -> float:
-            return one.left(at(t))
+            return one.distance_left(at(t))
 
-        path = Path(place[self._order], begun[self._order], total[self._order])
+        path = Path(pose[self._order], velocity[self._order], total[self._order])
         near = self._speculative.approaching
         hits = near.meet(path, longest, pairs) if pairs else []
         hits = [hit for hit in hits if not carries_on(part, path, hit, near.outlines)]
@@ -137,42 +142,46 @@ class MeetingFinder:
         return FirstMeeting(first, hits, down, gone, coming, falling, times)
 
     def beside(
-        self, ended: DriftPart, begun: Array, met: FirstMeeting, pairs: Sequence[Pair]
+        self, ended: DriftPart, velocity: Array, met: FirstMeeting, pairs: Sequence[Pair]
     ) -> Contacts:
         """Return the contacts with bodies beside the ends of sides that others pass.
 
         These support them from there on. What approaches faster than force laws could cause in the
         rest of the drift is left to land.
 
-        `ended` is the part of the drift up to there, with the kick there, `begun`, (3 N,), are the
-        velocities there [m/s, rad/s], and `met` is what passes. `pairs` are the bodies to consider,
-        which did not touch before.
+        `ended` is the part of the drift up to there, with the kick there, `velocity`, (3 N,), are
+        the velocities there [m/s, rad/s], and `met` is what passes. `pairs` are the bodies to
+        consider, which did not touch before.
         """
-        look, place = self._speculative, ended.kick.place
+        speculative, pose = self._speculative, ended.kick.pose
         guests = {one.bodies[1] for one in met.passing}
         some = [pair for pair in pairs if guests & {*pair}]
-        path = Path(*(rates[self._order] for rates in (place.values, begun, self._laws)))
-        left = ended.left - ended.drift
-        corners, hits = look.approaching.touching(path, BEYOND * left, some)
+        path = Path(*(rates[self._order] for rates in (pose.values, velocity, self._laws)))
+        left = ended.time_left - ended.drift
+        corners, hits = speculative.approaching.touching(path, BEYOND * left, some)
         gives = left * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if hit.parting >= -gives]
-        return look.contacts(corners, place, ended.kick.joints.origin, rests)
+        return speculative.contacts(corners, pose, ended.kick.joints.origin, rests)
 
-    def resting(self, ended: DriftPart, pairs: Sequence[Pair]) -> Contacts:
+    def overlapping(self, ended: DriftPart, pairs: Sequence[Pair]) -> Contacts:
         """Return the contacts of bodies that already overlap where a part of a drift ends.
 
         They met shortly before the part ends, and more slowly than forces could cause in the rest
         of the drift: nothing else would stop them. Faster ones are left to land. `pairs` are the
         bodies to consider, which did not touch before.
         """
-        look, place, total = self._speculative, ended.end, self._laws + ended.pulls
-        path = Path(*(rates[self._order] for rates in (place.values, ended.moved, total)))
-        corners, hits = look.approaching.touching(path, 0.0, pairs)
-        gives = (ended.left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
+        speculative, pose, total = (
+            self._speculative,
+            ended.end,
+            self._laws + ended.constraint_acceleration,
+        )
+        path = Path(*(rates[self._order] for rates in (pose.values, ended.velocity, total)))
+        corners, hits = speculative.approaching.touching(path, 0.0, pairs)
+        gives = (ended.time_left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if abs(hit.parting) <= gives]
-        return look.contacts(corners, place, ended.kick.joints.origin, rests)
+        return speculative.contacts(corners, pose, ended.kick.joints.origin, rests)
 
 
-def moments(times: Sequence[float], apart: float) -> int:
-    """Return the number of distinct times, which are more than `apart` from the one before [s]."""
-    return bool(times) + sum(b - a > apart for a, b in pairwise(sorted(times)))
+def moments(times: Sequence[float], spacing: float) -> int:
+    """Return the number of distinct times, more than `spacing` from the one before [s]."""
+    return bool(times) + sum(b - a > spacing for a, b in pairwise(sorted(times)))

@@ -59,22 +59,22 @@ def carries_on(part: DriftPart, path: Path, hit: Hit, shapes: Shapes) -> bool:
         still = {body for body in grounds if _goes_with(body, other, path, hit, part.drift)}
         if still and any(
             _is_level(ground, other, path, hit, shapes)
-            for ground in _grounds(part, path.place_at(hit.time), guest, still)
+            for ground in _grounds(part, path.pose_at(hit.time), guest, still)
         ):
             return True
     return False
 
 
-def _goes_with(body: int, other: int, path: Path, hit: Hit, lasts: float) -> bool:
+def _goes_with(body: int, other: int, path: Path, hit: Hit, duration: float) -> bool:
     """Return whether two bodies move alike at a hit for a time [s]."""
     here, there = (Motion(path, one, hit.time) for one in (body, other))
-    way = max(abs(there.speed(point) - here.speed(point)) for point in hit.points) * lasts
+    way = max(abs(there.speed(point) - here.speed(point)) for point in hit.points) * duration
     return way <= LEVEL
 
 
-def _grounds(part: DriftPart, place: Array, guest: int, bodies: set[int]) -> Iterator[_Ground]:
+def _grounds(part: DriftPart, pose: Array, guest: int, bodies: set[int]) -> Iterator[_Ground]:
     """Yield the points of the surfaces of some bodies on which another one lies at a place."""
-    there = part.kick.contacts_at(spread(place))
+    there = part.kick.contacts_at(spread(pose))
     points = np.ascontiguousarray(there.points).view(complex)[..., 0] - part.kick.joints.origin
     for row, pair in enumerate(there.bodies.tolist()):
         if guest in pair and not bodies.isdisjoint(pair):

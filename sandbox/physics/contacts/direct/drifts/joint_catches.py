@@ -67,12 +67,14 @@ def catch_time(part: DriftPart, laws: Array, until: float, longest: float) -> fl
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]. The whole drift
     ends at the time `until`; of this one, a time `longest` is searched [s].
     """
-    joints, place, start = part.kick.joints, part.kick.place.values, until - part.left
-    total = laws + part.pulls
-    begun = part.moved - total * (part.drift / 2)
+    joints, pose, start = part.kick.joints, part.kick.pose.values, until - part.time_left
+    total = laws + part.constraint_acceleration
+    velocity = part.velocity - total * (part.drift / 2)
 
     def gaps(t: float) -> Array:
-        there = joints.equations.glance(Coordinates(place + t * (begun + total * (t / 2))))
+        there = joints.equations.evaluate_without_memory(
+            Coordinates(pose + t * (velocity + total * (t / 2)))
+        )
         return np.asarray(joints.lengths(start + t) - there.total)
 
     def gap(row: int, t: float) -> float:

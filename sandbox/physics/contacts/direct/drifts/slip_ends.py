@@ -100,13 +100,15 @@ def _bears(part: DriftPart) -> Booleans:
         return slips
     layout = part.kick.layout
     friction, forces = layout.problem.friction, part.forces
-    bound = friction.slips * (friction.there * forces[friction.contact]).sum(axis=0)
+    bound = friction.kinetic * (friction.has_contact * forces[friction.contact]).sum(axis=0)
     return (bound > 0) & (slips | (np.abs(forces[layout.slips]) > HALF * bound))
 
 
 def _rates(part: DriftPart, laws: Array, rows: Integers) -> Array:
     """Return the rates of slips at the beginning and at the end of a part: (2, s) [m/s]."""
-    kick, half = part.kick, (laws + part.pulls) * (part.drift / 2)
-    jacobian = kick.here.jacobian[kick.layout.slips][rows]
-    rates: Array = np.array((part.moved - half, part.moved + half)) @ jacobian.T + kick.runs[rows]
+    kick, half = part.kick, (laws + part.constraint_acceleration) * (part.drift / 2)
+    jacobian = kick.rows_at_start.jacobian[kick.layout.slips][rows]
+    rates: Array = (
+        np.array((part.velocity - half, part.velocity + half)) @ jacobian.T + kick.belt_slip[rows]
+    )
     return rates

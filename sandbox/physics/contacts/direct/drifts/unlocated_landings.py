@@ -15,7 +15,7 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.physics.contacts.direct.complementarity.islands import islands
-from sandbox.physics.contacts.direct.drifts.drift_parts import around, moving
+from sandbox.physics.contacts.direct.drifts.drift_parts import around, movable
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingImpact
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
@@ -53,9 +53,9 @@ def crowd(
     they may be stopped. `begins` tells whether the part is the whole drift: linkages are only
     stopped in that.
     """
-    moves = moving(kick)
+    moves = movable(kick)
     crowded = np.zeros(len(moves), dtype=bool)
-    pairs = *(one.bodies for one in struck), *met.coming, *met.falling
+    pairs = *(one.bodies for one in struck), *met.impact_pairs, *met.corner_pairs
     landings = [pair for pair in pairs if dull[pair]]
     if len(landings) <= MANY:
         return crowded
@@ -83,7 +83,7 @@ def _is_linkage(kick: Kick, crowded: Booleans) -> bool:
 def stopped(
     solved: Some,
     crowded: Booleans,
-    look: SpeculativeContacts,
+    speculative: SpeculativeContacts,
     build: KickBuilder,
     again: Callable[[Some, Kick], Some],
 ) -> tuple[Some, Booleans]:
@@ -93,7 +93,7 @@ def stopped(
     What it finds no impulses for is left to land.
     """
     for _ in range(LOOKS):
-        ahead = look.ahead(solved.kick, solved.moved, crowded)
+        ahead = speculative.ahead(solved.kick, solved.velocity, crowded)
         if not len(ahead.bodies):
             break
         try:

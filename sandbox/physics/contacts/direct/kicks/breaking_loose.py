@@ -16,7 +16,9 @@ from sandbox.physics.contacts.direct.solving.warm_start import LastKick
 from sandbox.physics.engine.space_arrays import Integers
 
 
-def loosened(kick: Kick, slip: Integers, last_two: tuple[LastKick, Array] | None) -> Kick | None:
+def with_breakaway(
+    kick: Kick, slip: Integers, last_two: tuple[LastKick, Array] | None
+) -> Kick | None:
     """Return a kick with other bounds of the friction that breaks loose in it; None if none does.
 
     `slip`, (f,), are the signs of slips in the kick. `last_two` are the kick before, and the forces
@@ -28,13 +30,13 @@ def loosened(kick: Kick, slip: Integers, last_two: tuple[LastKick, Array] | None
         return None
     last, before = last_two
     load, older = np.abs(last.forces[layout.slips]), np.abs(before[layout.slips])
-    breaks = (slip != 0) & (last.active.slip == 0) & (friction.sticks > friction.slips)
+    breaks = (slip != 0) & (last.active.slip == 0) & (friction.static > friction.kinetic)
     breaks &= load > older
     if not np.count_nonzero(breaks):
         return None
-    holds = (friction.shares[0] * last.forces[friction.contact]).sum(axis=0)
+    holds = (friction.coefficients[0] * last.forces[friction.contact]).sum(axis=0)
     waits = (holds - load) / np.where(breaks, load - older, 1.0)
     since = 1.5 - np.clip(waits, 0.0, 1.0)  # steps, at the end of the kick
-    lowered = friction.sticks - (friction.sticks - friction.slips) * since
-    slips = np.where(breaks, np.maximum(lowered, 0.0), friction.slips)
+    lowered = friction.static - (friction.static - friction.kinetic) * since
+    slips = np.where(breaks, np.maximum(lowered, 0.0), friction.kinetic)
     return replace(kick, layout=layout.rubbing(slips))

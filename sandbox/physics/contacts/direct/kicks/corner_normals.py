@@ -54,14 +54,14 @@ class CornerPairs:
             a, b = touching.bodies[:, gap].tolist()
             if kick.contacts.touches[touching.pair[gap]] == 1:
                 one, other = features.points[:, gap].tolist()
-                turned = float(kick.place.angle[b] - kick.place.angle[a])
+                turned = float(kick.pose.angle[b] - kick.pose.angle[a])
                 new = CornerPair((one, other), complex(features.normal[gap]), turned)
                 self._held[a, b] = before.get((a, b), new)
 
-    def steady(self, contacts: Contacts, place: Coordinates, origin: complex) -> Contacts:
+    def with_kept_normals(self, contacts: Contacts, pose: Coordinates, origin: complex) -> Contacts:
         """Return the contacts with the remembered normals of corner pairs.
 
-        `place` has the positions of the bodies, and `origin` is the origin of these [m].
+        `pose` has the positions of the bodies, and `origin` is the origin of these [m].
         """
         if not self._held:
             return contacts
@@ -69,13 +69,13 @@ class CornerPairs:
         points, depths = contacts.points.copy(), contacts.depths.copy()
         for row, (a, b) in enumerate(contacts.bodies.tolist()):
             if held := self._held.get((a, b)):
-                n = held.normal * complex(place.turned[a])
+                n = held.normal * complex(pose.turned[a])
                 first, second = (
-                    complex(place.plane[body] + point * place.turned[body])
+                    complex(pose.plane[body] + point * pose.turned[body])
                     for body, point in zip((a, b), held.points, strict=True)
                 )
                 off = (second - first) * n.conjugate()
-                turned = float(place.angle[b] - place.angle[a]) - held.turned
+                turned = float(pose.angle[b] - pose.angle[a]) - held.turned
                 if abs(off.imag) > REACH or abs(turned) > PARALLEL:
                     del self._held[a, b]
                     continue

@@ -30,25 +30,26 @@ HALVINGS = 50
 """The bisections in the search for the largest rebound that adds no energy."""
 
 
-def struck(
-    kick: Kick, came: Array, acts: Array, change: Array, pushed: Callable[[], Array]
+def striking(
+    kick: Kick, approach: Array, acts: Array, change: Array, pushed: Callable[[], Array]
 ) -> Booleans:
     """Return which gaps close faster than forces within a step could cause: (k,).
 
-    `came`, (3 N,), are the velocities at the step; `acts` and `change`, (3 N,), are the velocity
-    changes by forces in a step, and in the last step [m/s, rad/s]. `pushed` returns the impulses of
-    a step, (r,): on a light body between heavy ones they cancel, but their rounding does not.
+    `approach`, (3 N,), are the velocities at the step; `acts` and `change`, (3 N,), are the
+    velocity changes by forces in a step, and in the last step [m/s, rad/s]. `pushed` returns the
+    impulses of a step, (r,): on a light body between heavy ones they cancel, but their rounding
+    does not.
     """
-    jacobian = kick.here.jacobian[kick.layout.gaps]
-    rates = np.array((came, acts, change)).dot(jacobian.T)
+    jacobian = kick.rows_at_start.jacobian[kick.layout.gaps]
+    rates = np.array((approach, acts, change)).dot(jacobian.T)
     closing, (acting, changing) = rates[0], np.abs(rates[1:])
-    if kick.closes:
+    if kick.closing_count:
         closing = np.where(kick.ahead, 0.0, closing)
     gives = np.maximum(acting, changing)
     far: Booleans = closing < -gives
     if not np.count_nonzero(far):  # bodies at rest need no closer look
         return far
-    swift = np.abs(came) + np.abs(acts)
+    swift = np.abs(approach) + np.abs(acts)
     far = closing < -(gives + _rounding(kick, swift))
     if not np.count_nonzero(far):
         return far
@@ -60,32 +61,34 @@ def struck(
 def _rounding(kick: Kick, swift: Array) -> Array:
     """Return the rounding errors of the gaps' rates, (k,), from the sizes of velocities, (3 N,)."""
     around = np.repeat(np.abs(planes(swift)), 2)  # rounding has no direction
-    speeds = np.abs(kick.here.jacobian[kick.layout.gaps]) @ np.append(around, angles(swift))
-    return np.asarray(ROUNDING * speeds + kick.blur)
+    speeds = np.abs(kick.rows_at_start.jacobian[kick.layout.gaps]) @ np.append(
+        around, angles(swift)
+    )
+    return np.asarray(ROUNDING * speeds + kick.velocity_rounding)
 
 
-def come(
+def approach_velocity(
     kick: Kick,
     motion: Array,
     strikes: Booleans,
-    held: Active | None = None,
+    active: Active | None = None,
     catching: Booleans | None = None,
 ) -> tuple[Array, Array]:
     """Return the velocities at the step before its impacts, and the impulses up to then.
 
     `motion`, (3 N,), are the velocities without impulses [m/s, rad/s]. `strikes`, (k,), tells which
-    gaps close, and `catching`, (m,), which joints catch; None for those just added. `held` are the
-    rows that held in the kick until there, if they are known; else see `impulses`.
+    gaps close, and `catching`, (m,), which joints catch; None for those just added. `active` are
+    the rows that held in the kick until there, if they are known; else see `impulses`.
     """
-    out = np.zeros(len(kick.response), dtype=bool)
-    out[kick.layout.joints] = kick.joints.added if catching is None else catching
-    out[kick.layout.gaps] = strikes | kick.ahead
-    impulse = impulses(kick, motion, np.zeros(len(kick.response)), out, held)
+    excluded = np.zeros(len(kick.response), dtype=bool)
+    excluded[kick.layout.joints] = kick.joints.added if catching is None else catching
+    excluded[kick.layout.gaps] = strikes | kick.ahead
+    impulse = impulses(kick, motion, np.zeros(len(kick.response)), excluded, active)
     return motion + impulse @ kick.response, impulse
 
 
-def bounce(
-    kick: Kick, came: Array, strikes: Booleans, held: Active | None = None
+def solve_impacts(
+    kick: Kick, approach: Array, strikes: Booleans, active: Active | None = None
 ) -> tuple[Array, Array, list[Pair]]:
     """Return the velocities after the impacts of a step, their impulses, and the pairs.
 
@@ -93,32 +96,33 @@ def bounce(
     1985). Also, wedged bodies do not always have impulses that separate them. In these cases the
     rebound is reduced to the largest share for which there are impulses that add no energy.
 
-    `came`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `held` see
-    `come`. Raises `JointFailure` or `NoForces` if there are no impulses even without a rebound.
+    `approach`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `active` see
+    `approach_velocity`. Raises `JointFailure` or `NoForces` if there are no impulses even without a
+    rebound.
     """
     if kick.layout.in_sequence and np.count_nonzero(strikes):
-        impulse, met = _in_sequence(kick, came)
+        impulse, groups = _in_sequence(kick, approach)
     else:
-        impulse, met = _together(kick, came, strikes, held), [np.flatnonzero(strikes)]
-    pairs = [pair for gaps in met for pair in kick.layout.touching.pairs(gaps)]
-    return came + impulse @ kick.response, impulse, pairs
+        impulse, groups = _together(kick, approach, strikes, active), [np.flatnonzero(strikes)]
+    pairs = [pair for gaps in groups for pair in kick.layout.touching.pairs(gaps)]
+    return approach + impulse @ kick.response, impulse, pairs
 
 
-def _together(kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> Array:
-    """Return the impulses of impacts that are solved all at once, (r,); see `bounce`."""
-    rebound = _Rebound(kick, came, strikes, held)
-    impulse = rebound.taken(1.0, EXACT)
+def _together(kick: Kick, approach: Array, strikes: Booleans, active: Active | None) -> Array:
+    """Return the impulses of impacts that are solved all at once, (r,); see `solve_impacts`."""
+    rebound = _Rebound(kick, approach, strikes, active)
+    impulse = rebound.admissible_impulses(1.0, EXACT)
     if impulse is None:
-        impulse = rebound.impulses(_largest(rebound) if rebound.leaves.any() else 0.0)
+        impulse = rebound.impulses(_largest(rebound) if rebound.rebound_rate.any() else 0.0)
     return impulse
 
 
-def _in_sequence(kick: Kick, came: Array) -> tuple[Array, list[Integers]]:
+def _in_sequence(kick: Kick, approach: Array) -> tuple[Array, list[Integers]]:
     """Return the impulses of impacts that come one after the other, (r,), and the gaps of each.
 
     Bilateral joints pass them on; ropes react to the velocities after them. See `Pile`.
     """
-    layout, jacobian = kick.layout, kick.here.jacobian
+    layout, jacobian = kick.layout, kick.rows_at_start.jacobian
     impulse, takes = np.zeros(len(jacobian)), np.zeros(len(jacobian), dtype=bool)
     for rows, _, _ in layout.islands:
         takes[rows] = True
@@ -128,76 +132,82 @@ def _in_sequence(kick: Kick, came: Array) -> tuple[Array, list[Integers]]:
     partner = layout.touching.partner[near]
     pile = Pile(
         response @ across.T,
-        across @ came,
-        _rounding(kick, np.abs(came))[near],
+        across @ approach,
+        _rounding(kick, np.abs(approach))[near],
         layout.restitution[near],
         np.where(partner < 0, -1, np.searchsorted(near, partner)),
     )
     impulse[near + layout.gaps.start] = pile.settle(layout.touching.bodies.T[near])
     takes[layout.joints], takes[layout.gaps] = False, True
-    came = came + impulse @ kick.response
-    impulse += impulses(kick, came, np.zeros_like(impulse), takes)
-    return impulse, [near[gaps] for gaps in pile.met]
+    approach = approach + impulse @ kick.response
+    impulse += impulses(kick, approach, np.zeros_like(impulse), takes)
+    return impulse, [near[gaps] for gaps in pile.impact_groups]
 
 
 def _through_joints(kick: Kick, response: Array) -> Array:
     """Return velocity changes, (k, 3 N), after bilateral joints have passed the impulses on."""
     free = kick.layout.problem.free
-    jacobian, held = kick.here.jacobian[free], kick.response[free]
-    return response - np.linalg.solve(jacobian @ held.T, jacobian @ response.T).T @ held
+    jacobian, active = kick.rows_at_start.jacobian[free], kick.response[free]
+    return response - np.linalg.solve(jacobian @ active.T, jacobian @ response.T).T @ active
 
 
 def _largest(rebound: "_Rebound") -> float:
     """Return the largest share, below 1, of a rebound that can be taken."""
     low, high = 0.0, 1.0
     for _ in range(HALVINGS):
-        share = (low + high) / 2
-        low, high = (low, share) if rebound.taken(share, 0.0) is None else (share, high)
+        fraction = (low + high) / 2
+        low, high = (
+            (low, fraction)
+            if rebound.admissible_impulses(fraction, 0.0) is None
+            else (fraction, high)
+        )
     return low
 
 
 class _Rebound:
-    """Shares of the rebound after an impact; for the parameters see `bounce`.
+    """Shares of the rebound after an impact; for the parameters see `solve_impacts`.
 
-    `leaves`, (r,), is minus the rate of each row after the whole rebound [m/s, rad/s].
+    `rebound_rate`, (r,), is minus the rate of each row after the whole rebound [m/s, rad/s].
     """
 
-    def __init__(self, kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> None:
-        self._kick, self._came, self._guess = kick, came, held
-        layout, self._rates = kick.layout, kick.here.jacobian @ came
-        self._runs = self._rates.copy()
-        self._runs[layout.slips] += kick.runs
-        self.leaves = np.zeros(len(kick.response))
+    def __init__(
+        self, kick: Kick, approach: Array, strikes: Booleans, active: Active | None
+    ) -> None:
+        self._kick, self._approach, self._guess = kick, approach, active
+        layout, self._rates = kick.layout, kick.rows_at_start.jacobian @ approach
+        self._slip_rates = self._rates.copy()
+        self._slip_rates[layout.slips] += kick.belt_slip
+        self.rebound_rate = np.zeros(len(kick.response))
         closing = np.minimum(self._rates[layout.gaps], 0.0)
-        self.leaves[layout.gaps] = layout.restitution * closing * strikes
+        self.rebound_rate[layout.gaps] = layout.restitution * closing * strikes
         self._ahead = np.zeros(len(kick.response), dtype=bool)
         self._ahead[layout.gaps] = kick.ahead
-        if held is not None:
-            on = held.on.copy()
+        if active is not None:
+            on = active.on.copy()
             on[layout.gaps] |= strikes
-            self._guess = held._replace(on=on)
+            self._guess = active._replace(on=on)
 
-    def impulses(self, share: float) -> Array:
+    def impulses(self, fraction: float) -> Array:
         """Return the impulses of a share of it: (r,)."""
-        leaves = share * self.leaves
-        return impulses(self._kick, self._came, leaves, self._ahead, self._guess)
+        rebound_rate = fraction * self.rebound_rate
+        return impulses(self._kick, self._approach, rebound_rate, self._ahead, self._guess)
 
-    def taken(self, share: float, rounding: float) -> Array | None:
+    def admissible_impulses(self, fraction: float, rounding: float) -> Array | None:
         """Return the impulses of a share of it; None if there are none, or if they add energy.
 
         `rounding` is the share of their work that may be rounding.
         """
         try:
-            impulse = self.impulses(share)
+            impulse = self.impulses(fraction)
         except (JointFailure, NoForces):
             return None
         kick, touch = self._kick, self._kick.layout.touch
-        after = self._runs + kick.here.jacobian @ (impulse @ kick.response)
-        work = float(impulse[touch] @ (self._runs + after)[touch]) / 2
+        after = self._slip_rates + kick.rows_at_start.jacobian @ (impulse @ kick.response)
+        work = float(impulse[touch] @ (self._slip_rates + after)[touch]) / 2
         return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(self._rates)) else None
 
 
-def recorded(kick: Kick, left: Array, pushes: Array) -> ImpactOutcome:
+def outcome(kick: Kick, velocity_after: Array, pushes: Array) -> ImpactOutcome:
     """Return the record of impacts, from the velocities after them, (3 N,), and impulses, (r,)."""
     places = order(kick.response.shape[1] // 3 - 1)
     jump = (pushes @ kick.response)[places]
@@ -206,29 +216,29 @@ def recorded(kick: Kick, left: Array, pushes: Array) -> ImpactOutcome:
         if pushes[rows].any():
             reached |= kick.acts[rows].any(axis=0)
     jump = np.where(reached[:, None], jump, 0.0)
-    return ImpactOutcome(reached, jump, left[places], np.zeros(len(jump)))
+    return ImpactOutcome(reached, jump, velocity_after[places], np.zeros(len(jump)))
 
 
 def impulses(
-    kick: Kick, motion: Array, leaves: Array, out: Booleans, held: Active | None = None
+    kick: Kick, motion: Array, rebound_rate: Array, excluded: Booleans, active: Active | None = None
 ) -> Array:
     """Return the impulses with which velocities satisfy all rows that take part: (r,).
 
-    `motion`, (3 N,), are the velocities without them; `leaves`, (r,), is minus the rate of each row
-    with them [m/s, rad/s]. `out`, (r,), tells which rows take no part. `held` is a guess of which
-    rows hold; if None, those that meet do, and no friction.
+    `motion`, (3 N,), are the velocities without them; `rebound_rate`, (r,), is minus the rate of
+    each row with them [m/s, rad/s]. `excluded`, (r,), tells which rows take no part. `active` is a
+    guess of which rows hold; if None, those that meet do, and no friction.
     """
     layout, joints = kick.layout, kick.layout.joints
-    rate = kick.here.jacobian @ motion + leaves
+    rate = kick.rows_at_start.jacobian @ motion + rebound_rate
     rate[joints] += kick.rates_now()
-    rate[layout.slips] += kick.runs
+    rate[layout.slips] += kick.belt_slip
     slack = np.zeros(len(rate), dtype=bool)
     slack[joints] = kick.slack
     asked = layout.problem
-    problem = asked._replace(free=asked.free & ~out, pushes=asked.pushes & ~out & ~slack)
-    on = problem.free | (problem.pushes & (rate < 0 if held is None else held.on))
+    problem = asked._replace(free=asked.free & ~excluded, pushes=asked.pushes & ~excluded & ~slack)
+    on = problem.free | (problem.pushes & (rate < 0 if active is None else active.on))
     slip = np.zeros(len(asked.friction.row), dtype=np.intp)
-    if held is not None:
-        on[layout.slips], slip = held.on[layout.slips], held.slip
+    if active is not None:
+        on[layout.slips], slip = active.on[layout.slips], active.slip
     guess = Active(on, slip)
-    return solve_rows(kick, layout.asking(problem), kick.here.jacobian, rate, guess)[0]
+    return solve_rows(kick, layout.asking(problem), kick.rows_at_start.jacobian, rate, guess)[0]

@@ -34,7 +34,9 @@ class FalseContacts:
         """Accept all contacts once: bodies were put elsewhere."""
         self._pairs = self._same = None
 
-    def sound(self, contacts: Contacts, moved: Callable[[], tuple[Array, Array]]) -> Contacts:
+    def without_false(
+        self, contacts: Contacts, moved: Callable[[], tuple[Array, Array]]
+    ) -> Contacts:
         """Return the contacts that are real.
 
         `moved` returns the positions of the bodies, (n, 2) [m], and the sizes of their
@@ -55,24 +57,24 @@ class FalseContacts:
         self._same = contacts.bodies if whole else None
         return contacts if whole else Contacts._make(field[good] for field in contacts)
 
-    def since(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
+    def updated(self, contacts: Contacts, state: Array, shift: Array, min_depth: float) -> Contacts:
         """Return contacts with those that a displacement has made; the same object if none.
 
         `state`, (n, 6), is the state of the bodies now, see `Batch.state`; `shift`, (n, 3), are
-        their displacements, and `least` is the smallest one that counts [m, rad].
+        their displacements, and `min_depth` is the smallest one that counts [m, rad].
         """
-        moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
-        found = self._query.more(contacts, moved, least) if moved else contacts
+        moved = np.flatnonzero((np.abs(shift) > min_depth).any(axis=1)).tolist()
+        found = self._query.updated(contacts, moved, min_depth) if moved else contacts
         return (
             contacts
             if found is contacts
-            else self.sound(found, lambda: (state[:, :2], np.abs(shift)))
+            else self.without_false(found, lambda: (state[:, :2], np.abs(shift)))
         )
 
 
-def _reach(contacts: Contacts, place: Array, way: Array) -> Array:
+def _reach(contacts: Contacts, pose: Array, displacement: Array) -> Array:
     """Return the largest overlaps that a step can cause: (k,) [m]."""
-    arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - place[contacts.bodies], 2, 0))
-    motion = way[contacts.bodies]
+    arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - pose[contacts.bodies], 2, 0))
+    motion = displacement[contacts.bodies]
     ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]
     return np.asarray(FURTHER * ways.sum(axis=1) + QUADRATIC)

@@ -23,7 +23,7 @@ class KickBuilder:
     """Builds the system of each kick; n bodies, m equations of joints.
 
     `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved;
-    `moves`, (n,), tells which are dynamic. `known` is the warm start, for the correction of
+    `moves`, (n,), tells which are dynamic. `warm_start` is the last kick, for the correction of
     overlaps. `contacts` are those of the present kick, and `shift`, (n, 3), are the displacements
     by the correction of overlaps in this step [m, rad]; `corrects` tells whether it may be made:
     once, however often the kick is repeated.
@@ -36,7 +36,7 @@ class KickBuilder:
         surfaces: Surfaces,
         moves: Booleans,
         query: Query,
-        known: WarmStart,
+        warm_start: WarmStart,
     ) -> None:
         self._batch, self._joints, self._surfaces = batch, joints, surfaces
         self._moves, self._order = moves, order(len(moves))
@@ -46,7 +46,7 @@ class KickBuilder:
         self._course = joints.course(0.0, 0.0)
         self._layouts = Layouts(joints, surfaces, moves)
         self._false, self._corners = FalseContacts(query), CornerPairs()
-        self._overlaps = OverlapCorrection(surfaces, known)
+        self._overlaps = OverlapCorrection(surfaces, warm_start)
         self.contacts: Contacts = NO_CONTACTS
         self.shift = self._still
         self.corrects = True
@@ -58,13 +58,13 @@ class KickBuilder:
         is called only if there are new contacts.
         """
         shift = self.shift
-        self.contacts = self._false.sound(
+        self.contacts = self._false.without_false(
             self._batch.contacts(),
             lambda: (self._batch.state()[:, :2], moved() + np.abs(shift)),
         )
         self.shift = self._still
 
-    def follow(self, until: float) -> None:
+    def set_course(self, until: float) -> None:
         """Take up the lengths that joints keep before and after a drift that ends at a time [s]."""
         span = until - self._joints.drift, until
         if span == self._span and not np.count_nonzero(self._joints.added):
@@ -75,10 +75,10 @@ class KickBuilder:
         """Begin at a time, and not at the start [s]."""
         self._course = self._joints.course(t, t)
 
-    def standing(self, course: Course) -> Kick:
-        """Return the system at the present positions; see `DirectSolver.standing`."""
+    def without_correction(self, course: Course) -> Kick:
+        """Return the system at the present positions; see `DirectSolver.without_correction`."""
         self._course = course
-        return self.at(self._joints.place())
+        return self.at(self._joints.pose())
 
     def relay(self) -> None:
         """Begin anew with other joints, at the present positions."""
@@ -91,14 +91,14 @@ class KickBuilder:
         self._corners.forget()
         self.shift = self._still
 
-    def look(self, leaving: Array) -> Kick:
+    def corrected(self, leaving: Array) -> Kick:
         """Return the system at the present positions, after the correction of overlaps.
 
         `leaving`, (3 N,), are the displacements of the next step without forces [m, rad].
         """
-        place, _ = self._joints.coordinates()
-        kick = self.at(place)
-        way = self._overlaps.way(kick, leaving) if self.corrects else None
+        pose, _ = self._joints.coordinates()
+        kick = self.at(pose)
+        way = self._overlaps.displacement(kick, leaving) if self.corrects else None
         if way is None:
             return kick
         self.corrects = False
@@ -106,37 +106,37 @@ class KickBuilder:
         self.shift = np.where(self._moves[:, None], way[self._order], 0.0)
         state[:, :3] += self.shift
         self._batch.set_state(state)
-        there = Coordinates(place.values + way)
+        there = Coordinates(pose.values + way)
         carried = kick.carried(there)
-        found = self._false.since(carried, state, self.shift, self._surfaces.slop)
+        found = self._false.updated(carried, state, self.shift, self._surfaces.slop)
         if found is carried:
-            return kick.moved(there)
+            return kick.at_pose(there)
         self.contacts = found
         return self.at(there)
 
-    def at(self, place: Coordinates) -> Kick:
+    def at(self, pose: Coordinates) -> Kick:
         """Return the system at given positions of the bodies."""
         joints = self._joints
-        self.contacts = self._corners.steady(self.contacts, place, joints.origin)
+        self.contacts = self._corners.with_kept_normals(self.contacts, pose, joints.origin)
         layout, running = self._layouts.of(self.contacts), self._surfaces.running
-        kick = Kick.at(place, joints, self.contacts, layout, running, self._course)
+        kick = Kick.at(pose, joints, self.contacts, layout, running, self._course)
         self._corners.note(kick)
         return kick
 
     def with_ahead(self, kick: Kick, ahead: Contacts) -> Kick:
         """Return the system with rows for contacts that close within the drift."""
         contacts = kick.contacts.followed_by(ahead)
-        layout, ends = self._layouts.anew(contacts), kick.layout.touching.ends
+        layout, ends = self._layouts.new_layout(contacts), kick.layout.touching.ends
         if ends is not None:
-            known = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
-            layout = layout.at_ends(np.pad(known, ((0, 0), (0, len(ahead.bodies)))))
-        running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
-        course = Course(kick.before, kick.after, kick.t)
-        return Kick.at(kick.place, self._joints, contacts, layout, running, course, closes)
+            first_ends = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
+            layout = layout.at_ends(np.pad(first_ends, ((0, 0), (0, len(ahead.bodies)))))
+        running, closes = self._surfaces.running, kick.closing_count + len(ahead.bodies)
+        course = Course(kick.lengths_before, kick.lengths_after, kick.t)
+        return Kick.at(kick.pose, self._joints, contacts, layout, running, course, closes)
 
-    def anew(
+    def rebuilt(
         self,
-        place: Coordinates,
+        pose: Coordinates,
         contacts: Contacts,
         course: Course,
         ends: Booleans | None = None,
@@ -145,7 +145,7 @@ class KickBuilder:
 
         `ends` tells which of the bodies of the last contacts, (2, c), touch with the end of a side.
         """
-        layout, running = self._layouts.anew(contacts), self._surfaces.running
+        layout, running = self._layouts.new_layout(contacts), self._surfaces.running
         if ends is not None and ends.any():
             layout = layout.at_ends(ends)
-        return Kick.at(place, self._joints, contacts, layout, running, course)
+        return Kick.at(pose, self._joints, contacts, layout, running, course)

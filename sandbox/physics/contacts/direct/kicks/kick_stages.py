@@ -15,20 +15,20 @@ from sandbox.physics.joints.exact.constraint_interface import Coordinates
 class Stage(NamedTuple):
     """A stage of a kick with impacts: before them, the impacts themselves, or after them.
 
-    `lasts` is its length, 0 for the impacts [s], and `velocity`, (n, 3), are the velocities at its
-    end [m/s, rad/s]. `pulls`, (m,), are the impulses of the equations of the joints, positive where
-    they pull; the contacts come with their impulses.
+    `duration` is its length, 0 for the impacts [s], and `velocity`, (n, 3), are the velocities at
+    its end [m/s, rad/s]. `joint_impulses`, (m,), are the impulses of the equations of the joints,
+    positive where they pull; the contacts come with their impulses.
     """
 
-    lasts: float
+    duration: float
     velocity: Array
-    pulls: Array
+    joint_impulses: Array
     contacts: Contacts
 
     @classmethod
-    def of(cls, kick: Kick, lasts: float, ended: Array, impulse: Array) -> "Stage":
+    def of(cls, kick: Kick, duration: float, ended: Array, impulse: Array) -> "Stage":
         """Return a stage from its length, final velocities, and the impulses of its rows: (r,)."""
-        return cls(lasts, ended, impulse[kick.layout.joints], kick.pushing(impulse))
+        return cls(duration, ended, impulse[kick.layout.joints], kick.contacts_with(impulse))
 
     def among(self, bodies: Booleans, joints: Booleans) -> "Stage":
         """Return it with only the impulses on some bodies, (n,), and of some joints, (m,)."""
@@ -39,7 +39,9 @@ class Stage(NamedTuple):
             friction=both.friction * some,
             impulse=both.impulse * some[:, None],
         )
-        return self._replace(pulls=np.where(joints, self.pulls, 0.0), contacts=contacts)
+        return self._replace(
+            joint_impulses=np.where(joints, self.joint_impulses, 0.0), contacts=contacts
+        )
 
 
 class KickResult(NamedTuple):
@@ -49,21 +51,21 @@ class KickResult(NamedTuple):
     ----------
     kick
         Its rows.
-    moved
+    velocity
         (3 N,), the velocities after it [m/s, rad/s].
     forces
         (r,), the forces after its impacts, or throughout if it has none [N].
     active
         The active rows after its impacts.
-    total
+    impulse
         (r,), the impulses of the whole kick.
     impacts
         Its impacts; None if it has none.
     stages
         Its stages, if it has impacts; else empty.
-    begun
+    start_velocity
         (3 N,), the velocities right after its impacts, or at its beginning [m/s, rad/s].
-    lasts
+    duration
         The length of the kick from there [s].
     slides
         Whether anything slips in it, or did in the kick before.
@@ -74,14 +76,14 @@ class KickResult(NamedTuple):
     """
 
     kick: Kick
-    moved: Array
+    velocity: Array
     forces: Array
     active: Active
-    total: Array
+    impulse: Array
     impacts: ImpactOutcome | None
     stages: tuple[Stage, ...]
-    begun: Array
-    lasts: float
+    start_velocity: Array
+    duration: float
     slides: bool
     strikes: bool = False
     flat: bool = False
@@ -89,4 +91,4 @@ class KickResult(NamedTuple):
     @property
     def coordinates(self) -> tuple[Coordinates, Coordinates]:
         """The positions at its time, and the velocities after it."""
-        return self.kick.place, Coordinates(self.moved)
+        return self.kick.pose, Coordinates(self.velocity)

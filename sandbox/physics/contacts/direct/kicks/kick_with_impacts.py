@@ -30,42 +30,52 @@ class KickStart(NamedTuple):
     driven: bool
 
 
-def take(kick: Kick, start: KickStart, known: WarmStart, *, placed: bool = False) -> KickResult:
+def solve_kick(
+    kick: Kick, start: KickStart, warm_start: WarmStart, *, placed: bool = False
+) -> KickResult:
     """Take a kick, whose length its joints know, and return the result.
 
-    `known` is the warm start: the forces of the last kick. For `placed` see `hold`. Raises
+    `warm_start` has the forces of the last kick. For `placed` see `hold`. Raises
     `JointFailure` or `NoForces` if no impulses are found.
     """
     velocity, acceleration, lead = start.velocity, start.acceleration, start.lead
     at_step, acts = velocity + acceleration * lead, acceleration * start.step
 
     def pushed() -> Array:
-        return known.guess(kick, at_step, start.step)[0]
+        return warm_start.guess(kick, at_step, start.step)[0]
 
-    strikes = coupled_impacts.struck(kick, at_step, acts, start.change, pushed)
+    strikes = coupled_impacts.striking(kick, at_step, acts, start.change, pushed)
     if not (np.count_nonzero(strikes) or np.count_nonzero(kick.joints.added)):
-        return _onwards(kick, start, velocity, kick.joints.kick, known, placed=placed)
+        return _without_impacts(kick, start, velocity, kick.joints.kick, warm_start, placed=placed)
     places = order(len(velocity) // 3 - 1)
-    came, before = coupled_impacts.come(kick, at_step, strikes)
-    left, pushes, _ = coupled_impacts.bounce(kick, came, strikes)
-    rest = _onwards(kick, start, left, kick.joints.kick - lead, known, placed=placed)
+    approach, before = coupled_impacts.approach_velocity(kick, at_step, strikes)
+    left, pushes, _ = coupled_impacts.solve_impacts(kick, approach, strikes)
+    rest = _without_impacts(kick, start, left, kick.joints.kick - lead, warm_start, placed=placed)
     stages = (
-        Stage.of(kick, lead, came[places], before),
+        Stage.of(kick, lead, approach[places], before),
         Stage.of(kick, 0, left[places], pushes),
-        Stage.of(kick, rest.lasts, rest.moved[places], rest.total),
+        Stage.of(kick, rest.duration, rest.velocity[places], rest.impulse),
     )
-    record, total = coupled_impacts.recorded(kick, left, pushes), before + pushes + rest.total
-    return rest._replace(total=total, impacts=record, stages=stages)
+    record, total = coupled_impacts.outcome(kick, left, pushes), before + pushes + rest.impulse
+    return rest._replace(impulse=total, impacts=record, stages=stages)
 
 
-def _onwards(
-    kick: Kick, start: KickStart, begun: Array, lasts: float, known: WarmStart, *, placed: bool
+def _without_impacts(
+    kick: Kick,
+    start: KickStart,
+    velocity: Array,
+    duration: float,
+    warm_start: WarmStart,
+    *,
+    placed: bool,
 ) -> KickResult:
-    """Return a kick without impacts, or the rest of a kick after them, of length `lasts` [s]."""
-    motion = begun + start.acceleration * lasts
-    guess = known.guess(kick, motion, lasts)
+    """Return a kick without impacts, or the rest of a kick after them, of length `duration` [s]."""
+    motion = velocity + start.acceleration * duration
+    guess = warm_start.guess(kick, motion, duration)
     held = hold(kick, motion, guess, driven=start.driven, placed=placed)
-    impulse, moved, active, flat = held
+    impulse, velocity_after, active, flat = held
     slides = bool(np.count_nonzero(active.slip) or np.count_nonzero(guess[1].slip))
-    forces, whole = impulse / lasts, (impulse, None, ())
-    return KickResult(kick, moved, forces, active, *whole, begun, lasts, slides=slides, flat=flat)
+    forces, whole = impulse / duration, (impulse, None, ())
+    return KickResult(
+        kick, velocity_after, forces, active, *whole, velocity, duration, slides=slides, flat=flat
+    )

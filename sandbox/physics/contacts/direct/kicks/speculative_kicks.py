@@ -21,7 +21,7 @@ class SolvedKick(Protocol):
         """Its rows."""
 
     @property
-    def moved(self) -> Array:
+    def velocity(self) -> Array:
         """(3 N,), the velocities after it [m/s, rad/s]."""
 
     @property
@@ -32,7 +32,7 @@ class SolvedKick(Protocol):
 Some = TypeVar("Some", bound=SolvedKick)
 
 
-def closed(
+def close_slow_corners(
     solved: Some,
     speculative: SpeculativeContacts,
     build: KickBuilder,
@@ -50,11 +50,11 @@ def closed(
     """
     for _ in range(LOOKS):
         kick = solved.kick
-        corners = speculative.corners(kick, solved.moved)
+        corners = speculative.corners(kick, solved.velocity)
         if not corners:
             break
-        more = build.with_ahead(kick, speculative.contacts(corners, kick.place, kick.joints.origin))
-        if locates and more.strikes(solved.moved, laws, solved.forces @ kick.response):
+        more = build.with_ahead(kick, speculative.contacts(corners, kick.pose, kick.joints.origin))
+        if locates and more.strikes(solved.velocity, laws, solved.forces @ kick.response):
             return solved, True
         try:
             solved = again(solved, more)

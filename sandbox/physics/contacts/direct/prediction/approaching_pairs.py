@@ -24,7 +24,7 @@ from sandbox.physics.contacts.detection.time_of_impact import (
     nearest,
     touching,
 )
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts, Pair, PlacedParts
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowCorner, HollowPairs
@@ -86,7 +86,7 @@ class ApproachingPairs:
         """Look at all pairs anew: joints changed, and what was one solid may collide."""
         self._room[:], self._seen = 0.0, None
 
-    def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
+    def near(self, contacts: Contacts, pose: Coordinates, way: Array) -> list[Pair]:
         """Return the pairs that may meet in the drift: out of contact, or in contact elsewhere.
 
         `way`, (3 N,), are the displacements of the bodies in the drift [m, rad].
@@ -95,27 +95,27 @@ class ApproachingPairs:
             return []
         way = way * self._weights
         if self._seen is not None and contacts.bodies is self._touch:
-            went = (place.values - self._seen) * self._weights
-            if MOST * most(np.abs(went) + np.abs(way)) < self._calm:
+            went = (pose.values - self._seen) * self._weights
+            if MOST * max_abs(np.abs(went) + np.abs(way)) < self._calm:
                 return []
             if not np.count_nonzero(went) and self._ahead == way.tobytes():
                 return self._found
-        self._ahead, self._found = way.tobytes(), self._search(contacts, place, way)
+        self._ahead, self._found = way.tobytes(), self._search(contacts, pose, way)
         return self._found
 
-    def meet(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
-        """Return the impacts of pairs of bodies on a path of length `lasts` [s]."""
-        gives = np.stack((path.acceleration * lasts,) * 2)
+    def meet(self, path: Path, duration: float, pairs: Iterable[Pair]) -> list[Hit]:
+        """Return the impacts of pairs of bodies on a path of length `duration` [s]."""
+        gives = np.stack((path.acceleration * duration,) * 2)
         hits = []
         for a, b in pairs:
             if self._hollows.pairs[a, b]:
-                hits += self._hollows.meet(path, lasts, (a, b), gives)
-        for both in self._unsure(path, lasts, pairs):
-            if hit := meet(path, *both, 0.0, lasts, gives):
+                hits += self._hollows.meet(path, duration, (a, b), gives)
+        for both in self._unsure(path, duration, pairs):
+            if hit := meet(path, *both, 0.0, duration, gives):
                 hits.append(hit)
         return hits
 
-    def ahead(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
+    def ahead(self, path: Path, duration: float, pairs: Iterable[Pair]) -> list[Hit]:
         """Return, for pairs of bodies that meet on a path, where they are nearest at its start.
 
         Hollow bodies are left out.
@@ -123,15 +123,15 @@ class ApproachingPairs:
         none = np.zeros((2, *path.velocity.shape))
         return [
             nearest(path, *both, 0.0)
-            for both in self._unsure(path, lasts, pairs)
-            if meet(path, *both, 0.0, lasts, none)
+            for both in self._unsure(path, duration, pairs)
+            if meet(path, *both, 0.0, duration, none)
         ]
 
     def _unsure(
-        self, path: Path, lasts: float, pairs: Iterable[Pair]
+        self, path: Path, duration: float, pairs: Iterable[Pair]
     ) -> Iterator[tuple[Outline, Outline]]:
         """Yield the parts of pairs of bodies that may meet; hollow bodies are left out."""
-        separation = Separation(self._shapes, path, lasts)
+        separation = Separation(self._shapes, path, duration)
         for a, b in pairs:
             if not self._hollows.pairs[a, b]:
                 for first, second in separation.unsure((a, b)):
@@ -147,7 +147,7 @@ class ApproachingPairs:
         """
         corners: list[HollowCorner] = []
         hits: list[Hit] = []
-        here, later = spread(path.place), spread(path.place_at(soon))
+        here, later = spread(path.pose), spread(path.pose_at(soon))
         placed = self._shapes.at(later)
         for a, b in pairs:
             if self._hollows.pairs[a, b]:
@@ -167,15 +167,15 @@ class ApproachingPairs:
             self._outlines[body] = [replace(outline, body=body) for outline in own]
         return self._outlines[body]
 
-    def _search(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
+    def _search(self, contacts: Contacts, pose: Coordinates, way: Array) -> list[Pair]:
         """Return the pairs that may meet, and update the bounds of those that have come close."""
         first = self._seen is None
         if self._seen is not None:
-            went = (place.values - self._seen) * self._weights
+            went = (pose.values - self._seen) * self._weights
             self._room -= self._between(went)
-        self._seen, self._touch = place.values, contacts.bodies
+        self._seen, self._touch = pose.values, contacts.bodies
         ahead = self._between(way)
-        touch, here = set(pairs_of(contacts)), self._shapes.at(place)
+        touch, here = set(pairs_of(contacts)), self._shapes.at(pose)
         room, found = self._room.copy(), []
         for row in np.flatnonzero(self._room < ahead).tolist():
             pair = int(self._first[row]), int(self._second[row])
@@ -189,7 +189,7 @@ class ApproachingPairs:
                 if near and (self._never_meet(pair) or self._within(pair, gap)):
                     gap = np.inf
                 self._room[row] = room[row] = gap
-            if LEAST < ahead[row] >= gap and not self._is_let(pair, place):
+            if LEAST < ahead[row] >= gap and not self._is_let(pair, pose):
                 found.append(pair)
         self._calm = float(room.min())
         return found
@@ -200,12 +200,12 @@ class ApproachingPairs:
             return self._hollows.gap(pair, here.place)
         return self._shapes.gap(pair, here)
 
-    def _is_let(self, pair: Pair, place: Coordinates) -> bool:
+    def _is_let(self, pair: Pair, pose: Coordinates) -> bool:
         """Return whether one of two bodies lets the other pass through from this side."""
         if self._gates is None:
             return False
-        at, there = ((complex(place.plane[b]), complex(place.turned[b])) for b in pair)
-        return self._gates.lets_at(*pair, at, there)
+        at, there = ((complex(pose.plane[b]), complex(pose.turned[b])) for b in pair)
+        return self._gates.lets_pass_at(*pair, at, there)
 
     def _between(self, way: Array) -> Array:
         """Return a bound of how much closer displacements, (3 N,) [m], bring each pair [m]."""

@@ -69,14 +69,14 @@ class ConvexPart(NamedTuple):
         """The largest distance of its corners from the body's centre of mass [m]."""
         return max(map(abs, self.corners))
 
-    def placed(self, place: complex, turned: complex) -> "ConvexPart":
+    def placed(self, position: complex, turned: complex) -> "ConvexPart":
         """Return it in the plane, with its body at a place and rotated."""
         return ConvexPart(
-            [place + corner * turned for corner in self.corners],
+            [position + corner * turned for corner in self.corners],
             [normal * turned for normal in self.normals],
             self.lengths,
             self.rounding,
-            place + self.middle * turned,
+            position + self.middle * turned,
             self.radius,
         )
 
@@ -141,10 +141,10 @@ class PlacedParts:
     `parts` are those of each body, along its axes.
     """
 
-    def __init__(self, parts: Sequence[Sequence[ConvexPart]], place: Coordinates) -> None:
-        self._parts, self.place = parts, place
-        self._plane: list[complex] = place.plane.tolist()
-        self._turned: list[complex] = place.turned.tolist()
+    def __init__(self, parts: Sequence[Sequence[ConvexPart]], pose: Coordinates) -> None:
+        self._parts, self.place = parts, pose
+        self._plane: list[complex] = pose.plane.tolist()
+        self._turned: list[complex] = pose.turned.tolist()
         self._known: dict[Pair, ConvexPart] = {}
 
     def part(self, body: int, number: int) -> ConvexPart:
@@ -177,11 +177,11 @@ class ConvexParts:
         self.reach = np.array([max((p.reach for p in own), default=np.inf) for own in parts])
         self._placed: dict[bytes, PlacedParts] = {}  # the last ones, by the bodies' positions
 
-    def at(self, place: Coordinates) -> PlacedParts:
+    def at(self, pose: Coordinates) -> PlacedParts:
         """Return the parts with the bodies at some positions; the last placements are reused."""
-        where = place.values.tobytes()
+        where = pose.values.tobytes()
         if (known := self._placed.pop(where, None)) is None:
-            known = PlacedParts(self.parts, place)
+            known = PlacedParts(self.parts, pose)
         self._placed[where] = known
         if len(self._placed) > PLACES:
             del self._placed[next(iter(self._placed))]
@@ -221,8 +221,8 @@ class ConvexParts:
                 least = min(least, gap)
         return least
 
-    def _between(self, pair: Pair, place: Coordinates) -> Array:
+    def _between(self, pair: Pair, pose: Coordinates) -> Array:
         """Return the distances between the enclosing discs of two bodies' parts: (k, l) [m]."""
         a, b = pair
-        one, other = (place.plane[c] + self._middle[c] * place.turned[c] for c in pair)
+        one, other = (pose.plane[c] + self._middle[c] * pose.turned[c] for c in pair)
         return np.asarray(np.abs(one[:, None] - other) - self._radius[a][:, None] - self._radius[b])

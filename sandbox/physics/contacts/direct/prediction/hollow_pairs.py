@@ -155,13 +155,13 @@ class HollowPairs:
         pieces = [shape.piece for shape in self._shapes[other] if shape.piece.corner is None]
         return min(_distance(points, piece) for piece in pieces) - line.near
 
-    def meet(self, path: Path, lasts: float, pair: Pair, gives: Array) -> list[Hit]:
-        """Return the impacts of two bodies on a path of length `lasts` [s]; see `time_of_impact`.
+    def meet(self, path: Path, duration: float, pair: Pair, gives: Array) -> list[Hit]:
+        """Return the impacts of two bodies on a path of some duration [s]; see `time_of_impact`.
 
         They are those of convex shapes, and the first ones from inside or with a curve.
         """
-        hits = [*self._convex(path, lasts, pair, gives)]
-        for time in self._times(path, lasts, pair):
+        hits = [*self._convex(path, duration, pair, gives)]
+        for time in self._times(path, duration, pair):
             if traced := [*self._traced(path, time, pair)]:
                 return hits + traced
         return hits
@@ -175,14 +175,14 @@ class HollowPairs:
         line = self._lines.get(body)
         return float(np.abs(line.points - line.points[0]).max()) if line else 0.0
 
-    def _times(self, path: Path, lasts: float, pair: Pair) -> Iterator[float]:
+    def _times(self, path: Path, duration: float, pair: Pair) -> Iterator[float]:
         """Yield the times at which to look for contacts: several where bodies are fast."""
         (at, _), (there, _) = _moved(path, pair, 0.0)
-        (end, _), (ended, _) = _moved(path, pair, lasts)
+        (end, _), (ended, _) = _moved(path, pair, duration)
         way = abs((ended - end) - (there - at))
         size = min(shape.size for shape in self._shapes[self._in_order(pair)[1]])
         looks = 1 + int(min(LOOKS - 1, way / (SLIM * size)))
-        return (lasts * (look + 1) / looks for look in range(looks))
+        return (duration * (look + 1) / looks for look in range(looks))
 
     def corners(self, pair: Pair, here: Coordinates, there: Coordinates) -> Iterator[HollowCorner]:
         """Yield the points of two bodies that are apart here, and in each other there."""
@@ -205,20 +205,20 @@ class HollowPairs:
             if both[0] and both[1] and verdict(one.piece, other.piece, *places) is True:
                 yield HollowCorner(pair, 0, trace_convex(both[0], both[1]))
 
-    def _convex(self, path: Path, lasts: float, pair: Pair, gives: Array) -> Iterator[Hit]:
+    def _convex(self, path: Path, duration: float, pair: Pair, gives: Array) -> Iterator[Hit]:
         """Yield the impacts of convex shapes, which are apart at the start."""
         for one, other in product(self._shapes[pair[0]], self._shapes[pair[1]]):
             if one.outline and other.outline:
-                hit = meet(path, one.outline, other.outline, 0.0, lasts, gives)
+                hit = meet(path, one.outline, other.outline, 0.0, duration, gives)
                 if hit and hit.time:
                     places = _moved(path, pair, hit.time)
                     if verdict(one.piece, other.piece, *places) is True:
                         yield hit
 
-    def _traced(self, path: Path, lasts: float, pair: Pair) -> Iterator[Hit]:
+    def _traced(self, path: Path, duration: float, pair: Pair) -> Iterator[Hit]:
         """Yield the impacts that lead to contacts at a time [s]."""
-        for corner, guest in self._contacts(pair, _moved(path, pair, lasts)):
-            time = _time(path, lasts, corner)
+        for corner, guest in self._contacts(pair, _moved(path, pair, duration)):
+            time = _time(path, duration, corner)
             if time and self._touches(corner, guest, _moved(path, pair, time)):
                 yield _hit(path, time, corner)
 
@@ -236,8 +236,8 @@ class HollowPairs:
     def _close(self, pair: Pair, places: Places) -> Iterator[tuple[_Shape, _Shape]]:
         """Yield the pairs of shapes of two bodies that may overlap."""
         first, second = (
-            [(shape, to_plane(place, shape.middle)) for shape in self._shapes[body]]
-            for body, place in zip(pair, places, strict=True)
+            [(shape, to_plane(pose, shape.middle)) for shape in self._shapes[body]]
+            for body, pose in zip(pair, places, strict=True)
         )
         for (one, here), (other, there) in product(first, second):
             if abs(there - here) < one.size + other.size:
@@ -254,26 +254,26 @@ class HollowPairs:
         return any(isinstance(touch, Touch) for touch in found)
 
 
-def placed(pair: Pair, place: Coordinates) -> Places:
+def placed(pair: Pair, pose: Coordinates) -> Places:
     """Return the positions and rotations of two bodies."""
-    one, other = ((complex(place.plane[body]), complex(place.turned[body])) for body in pair)
+    one, other = ((complex(pose.plane[body]), complex(pose.turned[body])) for body in pair)
     return one, other
 
 
 def _moved(path: Path, pair: Pair, time: float) -> Places:
     """Return the positions and rotations of two bodies at a time."""
     one, other = (Motion(path, body, time) for body in pair)
-    return (one.place, one.turned), (other.place, other.turned)
+    return (one.pose, one.turned), (other.pose, other.turned)
 
 
-def _time(path: Path, lasts: float, corner: HollowCorner) -> float | None:
+def _time(path: Path, duration: float, corner: HollowCorner) -> float | None:
     """Return when bodies meet that touch at a time [s]; None if they do so from the start."""
 
     def above(t: float) -> float:
         return corner.spot(_moved(path, corner.pair, t)).gap - TOUCH
 
-    time = root(above, lasts)
-    return time if 0 < time <= lasts else None
+    time = root(above, duration)
+    return time if 0 < time <= duration else None
 
 
 def _hit(path: Path, time: float, corner: HollowCorner) -> Hit:

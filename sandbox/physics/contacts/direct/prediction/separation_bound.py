@@ -36,13 +36,13 @@ class _Motion(NamedTuple):
 class Separation:
     """Tells which bodies stay apart in a drift.
 
-    `shapes` are the parts of the bodies, `path` is their motion, and `lasts` is the length of the
-    drift [s].
+    `shapes` are the parts of the bodies, `path` is their motion, and `duration` is the length of
+    the drift [s].
     """
 
-    def __init__(self, shapes: ConvexParts, path: Path, lasts: float) -> None:
-        self._shapes, self._path, self._lasts = shapes, path, lasts
-        self._here, self._there = (shapes.at(spread(path.place_at(t))) for t in (0.0, lasts))
+    def __init__(self, shapes: ConvexParts, path: Path, duration: float) -> None:
+        self._shapes, self._path, self._lasts = shapes, path, duration
+        self._here, self._there = (shapes.at(spread(path.pose_at(t))) for t in (0.0, duration))
         self._known: dict[int, _Motion] = {}
 
     def unsure(self, pair: Pair) -> list[Pair]:
@@ -71,11 +71,11 @@ class Separation:
 
         For its acceleration relative to the side see `_turning` in `time_of_impact`.
         """
-        plane, lasts = self._here.place.plane, self._lasts
+        plane, duration = self._here.place.plane, self._lasts
         acceleration = abs(corner.acceleration - side.acceleration) + corner.bend
         goes = abs(corner.velocity - side.velocity) + corner.reach * corner.spin
-        fastest = goes + acceleration * lasts
-        farthest = float(abs(plane[pair[1]] - plane[pair[0]])) + corner.reach + fastest * lasts
+        fastest = goes + acceleration * duration
+        farthest = float(abs(plane[pair[1]] - plane[pair[0]])) + corner.reach + fastest * duration
         turns = 2 * side.spin * fastest + (side.twist + side.spin * side.spin) * farthest
         return self._sag(acceleration + turns)
 
@@ -84,10 +84,10 @@ class Separation:
         return curve * self._lasts * self._lasts / 8 + CLEAR
 
 
-def spread(place: Array) -> Coordinates:
+def spread(pose: Array) -> Coordinates:
     """Return places of bodies, (n, 3), as coordinates, with the plane."""
-    values = np.zeros((len(place) + 1, 3))
-    values[:-1] = place
+    values = np.zeros((len(pose) + 1, 3))
+    values[:-1] = pose
     return Coordinates(np.concatenate((values[:, :2].ravel(), values[:, 2])))
 
 

@@ -22,31 +22,33 @@ class EndCrossing(NamedTuple):
     """A contact that leaves a side, an arc or a curve at its end, or comes onto a side there.
 
     `contact` and `gap` are the indices of the contact and of its point; `bodies` are the body with
-    the side, and the other one. `foot` is the end of the side [m], and `onwards` the direction in
+    the side, and the other one. `foot` is the end of the side [m], and `direction` the direction in
     which the contact passes it, both along the axes of its body; `point` is the point of the other
-    body that passes, along its axes [m]. `leaves` tells whether it leaves the side. `lies` is how
-    far beyond the end the point has to go, since a side of the other body lies on it [m]; None if
-    none does.
+    body that passes, along its axes [m]. `leaves` tells whether it leaves the side.
+    `extra_distance` is how far beyond the end the point has to go, since a side of the other body
+    lies on it [m]; None if none does.
     """
 
     contact: int
     gap: int
     bodies: Pair
     foot: complex
-    onwards: complex
+    direction: complex
     point: complex
     leaves: bool
-    lies: float | None = None
+    extra_distance: float | None = None
 
-    def left(self, place: Coordinates) -> float:
+    def distance_left(self, pose: Coordinates) -> float:
         """Return how far it still has to go, with the bodies at some positions [m]."""
-        return dot(self.foot - self.seen(place), self.onwards) + (self.lies or 0.0)
+        return dot(self.foot - self.point_on_side(pose), self.direction) + (
+            self.extra_distance or 0.0
+        )
 
-    def seen(self, place: Coordinates) -> complex:
+    def point_on_side(self, pose: Coordinates) -> complex:
         """Return the point that passes, along the axes of the body with the side [m]."""
         own, other = self.bodies
-        there = place.plane[other] + self.point * place.turned[other] - place.plane[own]
-        return complex(there / place.turned[own])
+        there = pose.plane[other] + self.point * pose.turned[other] - pose.plane[own]
+        return complex(there / pose.turned[own])
 
 
 class PointsOnSides(NamedTuple):
@@ -54,16 +56,16 @@ class PointsOnSides(NamedTuple):
 
     `side` and `other`, (k,), are the bodies with the sides, and the others; `number`, (k,), tells
     which of its sides it is, −1 if none. `point`, (k,), is the point of the other body, along its
-    axes, and `seen`, (k,), the position of that along the side; `begin` and `end`, (k,), are the
-    positions there between which they touch [m]. `flat`, (k,), tells whether a side of the other
-    body lies on it.
+    axes, and `along_side`, (k,), the position of that along the side; `begin` and `end`, (k,), are
+    the positions there between which they touch [m]. `flat`, (k,), tells whether a side of the
+    other body lies on it.
     """
 
     side: Integers
     other: Integers
     number: Integers
     point: Plane
-    seen: Array
+    along_side: Array
     begin: Array
     end: Array
     flat: Booleans
@@ -71,7 +73,7 @@ class PointsOnSides(NamedTuple):
     @classmethod
     def at(cls, kick: Kick, sides: Sides) -> "PointsOnSides":
         """Return the points of a kick."""
-        features, turned, plane = kick.features, kick.place.turned, kick.place.plane
+        features, turned, plane = kick.features, kick.pose.turned, kick.pose.plane
         bodies, each = kick.layout.touching.bodies, np.arange(len(kick.layout.touching.pair))
         own = np.where(features.side[each] == bodies[0], 0, 1)
         side, other = bodies[own, each], bodies[1 - own, each]
@@ -90,9 +92,9 @@ class PointsOnSides(NamedTuple):
         number[~on.any(axis=1)] = -1
         return cls(side, other, number, point, seen, begin, end, np.asarray(lies.any(axis=1)))
 
-    def left(self, way: int) -> Array:
+    def distance_left(self, way: int) -> Array:
         """Return how far each is from leaving its side in a direction, (k,); inf without one."""
-        far = self.end - self.seen if way > 0 else self.seen - self.begin
+        far = self.end - self.along_side if way > 0 else self.along_side - self.begin
         return np.where(self.number < 0, inf, far)
 
 

@@ -130,12 +130,12 @@ class SpeculativeContacts:
         turning = self._turning(kick.contacts, motion * drift)
         if not turning:
             return []
-        ended = Coordinates(kick.place.values + drift * motion)
-        here, there = self._shapes.at(kick.place), self._shapes.at(ended)
+        ended = Coordinates(kick.pose.values + drift * motion)
+        here, there = self._shapes.at(kick.pose), self._shapes.at(ended)
         found = [one for pair in turning for one in self._down(pair, here, there)]
         if not found:
             return []
-        new = _new(self.contacts(found, kick.place, kick.joints.origin), kick).tolist()
+        new = _new(self.contacts(found, kick.pose, kick.joints.origin), kick).tolist()
         return [corner for corner, is_new in zip(found, new, strict=True) if is_new]
 
     def _down(self, pair: Pair, here: PlacedParts, there: PlacedParts) -> Iterator[AnyCorner]:
@@ -158,33 +158,33 @@ class SpeculativeContacts:
 
         `motion`, (3 N,), has the velocities in that drift [m/s, rad/s].
         """
-        drift, places = kick.joints.drift, order(len(kick.place.values) // 3 - 1)
-        near = self.approaching.near(kick.contacts, kick.place, drift * motion)
+        drift, places = kick.joints.drift, order(len(kick.pose.values) // 3 - 1)
+        near = self.approaching.near(kick.contacts, kick.pose, drift * motion)
         near = [pair for pair in near if some[[*pair]].any()]
-        path = Path(kick.place.values[places], motion[places], np.zeros(places.shape))
+        path = Path(kick.pose.values[places], motion[places], np.zeros(places.shape))
         hits = self.approaching.ahead(path, drift, near)
         corners = [one for one in self.corners(kick, motion) if some[[*one.pair]].any()]
-        here, there = kick.place, Coordinates(kick.place.values + drift * motion)
+        here, there = kick.pose, Coordinates(kick.pose.values + drift * motion)
         for pair in near:
             if self._hollows.pairs[pair]:
                 corners += self._hollows.corners(pair, here, there)
-        return self.contacts(corners, kick.place, kick.joints.origin, hits)
+        return self.contacts(corners, kick.pose, kick.joints.origin, hits)
 
-    def height(self, corner: AnyCorner, place: Coordinates) -> float:
+    def height(self, corner: AnyCorner, pose: Coordinates) -> float:
         """Return the distance of a corner from its side at given positions [m]."""
-        return self._spot(corner, place).gap
+        return self._spot(corner, pose).gap
 
     def contacts(
         self,
         corners: Sequence[AnyCorner],
-        place: Coordinates,
+        pose: Coordinates,
         origin: complex,
         hits: Sequence[Hit] = (),
     ) -> Contacts:
         """Return the contacts of corners and of bodies that have met, at given positions."""
         found: dict[Pair, list[ShapeContact]] = {}
         for corner in corners:
-            touched = self._touched(corner.pair, self._spot(corner, place), origin)
+            touched = self._touched(corner.pair, self._spot(corner, pose), origin)
             found.setdefault(corner.pair, []).append(touched)
         for _, pair, normal, points, _, gap in hits:
             both = [(point + origin, point + origin + normal * gap) for point in points]
@@ -192,11 +192,11 @@ class SpeculativeContacts:
             found.setdefault(pair, []).append(touched)
         return contacts_of(found) if found else NO_CONTACTS
 
-    def _spot(self, corner: AnyCorner, place: Coordinates) -> CornerOnSide:
+    def _spot(self, corner: AnyCorner, pose: Coordinates) -> CornerOnSide:
         if isinstance(corner, HollowCorner):
-            return CornerOnSide(corner.own, *corner.spot(placed(corner.pair, place)))
+            return CornerOnSide(corner.own, *corner.spot(placed(corner.pair, pose)))
         pair, parts, own, side, number = corner
-        return on_side(self._shapes.at(place).both(pair, parts), own, side, number)
+        return on_side(self._shapes.at(pose).both(pair, parts), own, side, number)
 
     def _turning(self, contacts: Contacts, way: Array) -> list[Pair]:
         """Return the touching pairs that move far enough for another corner to meet.

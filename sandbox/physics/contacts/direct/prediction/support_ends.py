@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts
 from sandbox.physics.contacts.direct.prediction.side_end_geometry import (
     EndCrossing,
@@ -68,42 +68,42 @@ class SupportEnds:
         self._weights = np.concatenate((np.ones(2 * len(arms) + 2), arms, (0.0,)))
         self._touching: ContactPoints | None = None  # the points at the last search
         self._tips: Plane | None = None  # those opposite to sides, if they may change
-        self._seen = self._weights  # the positions then
-        self._calm = 0.0  # how far all points were from the ends of sides [m]
+        self._last_positions = self._weights  # the positions then
+        self._clearance = 0.0  # how far all points were from the ends of sides [m]
 
-    def passing(self, kick: Kick, way: Array, forces: Array) -> list[EndCrossing]:
+    def passing(self, kick: Kick, displacement: Array, forces: Array) -> list[EndCrossing]:
         """Return the contacts that pass the end of a side within a drift.
 
-        Only those that bear a force, or that would overlap at its end beside the corner. `way`,
-        (3 N,), are the displacements in the drift [m, rad], and `forces`, (r,), are those of the
-        kick's rows [N].
+        Only those that bear a force, or that would overlap at its end beside the corner.
+        `displacement`, (3 N,), are the displacements in the drift [m, rad], and `forces`, (r,), are
+        those of the kick's rows [N].
         """
-        if self._is_far(kick, way):
+        if self._is_far(kick, displacement):
             return []
-        ahead = MOST * most(way * self._weights)
+        ahead = MOST * max_abs(displacement * self._weights)
         if ahead < LEAST:
             return []
-        there, bears = Coordinates(kick.place.values + way), forces[kick.layout.gaps] > 0
+        there, bears = Coordinates(kick.pose.values + displacement), forces[kick.layout.gaps] > 0
         return [
             one
             for one in self._all(kick, ahead)
             if self._lands[one.bodies]
-            and one.left(there) < -LEAST
+            and one.distance_left(there) < -LEAST
             and (bears[one.gap] or _comes_down(kick, one, there))
         ]
 
-    def _is_far(self, kick: Kick, way: Array) -> bool:
+    def _is_far(self, kick: Kick, displacement: Array) -> bool:
         """Return whether all points certainly stay clear of the ends of sides in a drift."""
         touching = kick.layout.touching
         if touching is not self._touching:
             return False
-        went = (kick.place.values + way - self._seen) * self._weights
-        if MOST * most(went) >= self._calm:
-            (a, b), plane, turns = touching.bodies, planes(went), np.abs(angles(went))
+        change = (kick.pose.values + displacement - self._last_positions) * self._weights
+        if MOST * max_abs(change) >= self._clearance:
+            (a, b), plane, turns = touching.bodies, planes(change), np.abs(angles(change))
             goes = np.abs(plane[a] - plane[b]) + turns[a] + turns[b]
-            if goes.max(initial=0.0) >= self._calm:
+            if goes.max(initial=0.0) >= self._clearance:
                 return False
-        if self._tips is None or most(angles(went)) < NEAR:
+        if self._tips is None or max_abs(angles(change)) < NEAR:
             return True
         return bool(np.abs(_tips(kick) - self._tips).max() < NEAR)
 
@@ -119,10 +119,10 @@ class SupportEnds:
         direction = known.direction.view(complex)[:, 0].copy()
         for one in {one.contact: one for one in passing}.values():
             foot = complex(
-                kick.place.plane[one.bodies[0]] + one.foot * kick.place.turned[one.bodies[0]]
+                kick.pose.plane[one.bodies[0]] + one.foot * kick.pose.turned[one.bodies[0]]
             )
             own = int(known.bodies[one.contact, 0] != one.bodies[0])
-            at_end = (one.leaves, one.leaves and one.lies is not None)
+            at_end = (one.leaves, one.leaves and one.extra_distance is not None)
             if one.leaves and self._sharp[list(one.bodies)].all():
                 normal, at_end = self._entered(kick, one, foot, motion), (True, False)
                 if not normal:
@@ -146,7 +146,7 @@ class SupportEnds:
 
         0 if it moves away from all its sides.
         """
-        plane, turned = kick.place.plane, kick.place.turned
+        plane, turned = kick.pose.plane, kick.pose.turned
         velocity, spin = planes(motion), angles(motion)
         owner, other = (
             velocity[body] + 1j * spin[body] * (foot - plane[body]) for body in one.bodies
@@ -161,7 +161,7 @@ class SupportEnds:
     def _all(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may pass an end in a drift, given a bound of their way [m]."""
         touching = kick.layout.touching
-        self._touching, self._seen, self._calm = touching, kick.place.values, inf
+        self._touching, self._last_positions, self._clearance = touching, kick.pose.values, inf
         corners = np.count_nonzero(self._sides.any[touching.bodies].all(axis=0))
         self._tips = _tips(kick) if corners else None
         if not len(touching.pair):
@@ -172,13 +172,13 @@ class SupportEnds:
             yield from self._coming(kick, ahead, one, tip)
             line = self._lines.get(one.bodies[0])
             if line and ((one.gap, one.bodies[0]) in on or line.has_center(tip)):
-                yield from self._off(kick, ahead, one, line)
+                yield from self._line_exits(kick, ahead, one, line)
 
     def _leaving(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may leave a side in a drift; see `_all`."""
         lying, sides = PointsOnSides.at(kick, self._sides), self._sides
         for way, ends, until in ((-1, sides.begin, lying.begin), (1, sides.end, lying.end)):
-            left = lying.left(way)
+            left = lying.distance_left(way)
             self._note(float(left.min()))
             for gap in np.flatnonzero((left > -NEAR) & (left < ahead)).tolist():
                 own, number = int(lying.side[gap]), int(lying.number[gap])
@@ -193,7 +193,7 @@ class SupportEnds:
                     1j * way * normal,
                     complex(lying.point[gap]),
                     leaves=True,
-                    lies=way * (float(until[gap]) - end) if lying.flat[gap] else None,
+                    extra_distance=way * (float(until[gap]) - end) if lying.flat[gap] else None,
                 )
 
     def _is_tip(self, body: int, point: complex) -> bool:
@@ -209,7 +209,7 @@ class SupportEnds:
         The end that they pass is still to be set. Also the point of that body, along its axes [m].
         """
         touching, points = kick.layout.touching, kick.features.points
-        on = kick.features.owns[:, : len(touching.pair)].any(axis=0)
+        on = kick.features.is_owner[:, : len(touching.pair)].any(axis=0)
         for gap in np.flatnonzero(~on & self._ends[touching.bodies].any(axis=0)).tolist():
             bodies, tips = touching.bodies[:, gap].tolist(), points[:, gap].tolist()
             for (own, tip), (other, point) in permutations(zip(bodies, tips, strict=True)):
@@ -221,19 +221,19 @@ class SupportEnds:
     ) -> Iterator[EndCrossing]:
         """Yield a contact of a corner for each side that it may come onto; see `_all`."""
         for normal, foot, way in self._sides.at(passing.bodies[0], tip):
-            one = passing._replace(foot=foot, onwards=1j * way * normal)
-            left = one.left(kick.place)
+            one = passing._replace(foot=foot, direction=1j * way * normal)
+            left = one.distance_left(kick.pose)
             self._note(left)
-            if -NEAR < left < ahead and dot(one.seen(kick.place) - foot, normal) > 0:
+            if -NEAR < left < ahead and dot(one.point_on_side(kick.pose) - foot, normal) > 0:
                 yield one
 
-    def _off(
+    def _line_exits(
         self, kick: Kick, ahead: float, passing: EndCrossing, line: Line
     ) -> Iterator[EndCrossing]:
         """Yield a contact for each end of an arc or a curve at which it may leave; see `_all`."""
         for end, onwards in line.ends:
-            one = passing._replace(foot=end, onwards=onwards, leaves=True)
-            left, way = one.left(kick.place), one.seen(kick.place) - end
+            one = passing._replace(foot=end, direction=onwards, leaves=True)
+            left, way = one.distance_left(kick.pose), one.point_on_side(kick.pose) - end
             self._note(abs(left))
             out = 1j * onwards if dot(way, 1j * onwards) > 0 else -1j * onwards
             bend = dot(way, out) - line.half - self._radius[one.bodies[1]]
@@ -242,7 +242,7 @@ class SupportEnds:
 
     def _note(self, left: float) -> None:
         """Note how far a point is from passing [m]."""
-        self._calm = max(0.0, min(self._calm, left))
+        self._clearance = max(0.0, min(self._clearance, left))
 
 
 def _comes_down(kick: Kick, one: EndCrossing, there: Coordinates) -> bool:
@@ -250,8 +250,8 @@ def _comes_down(kick: Kick, one: EndCrossing, there: Coordinates) -> bool:
     if one.leaves:
         return False
     depth = float(kick.contacts.depths.take(kick.layout.touching.number)[one.gap])
-    reach = abs(kick.features.apart[one.gap]) + depth
-    return abs(dot(one.seen(there) - one.foot, 1j * one.onwards)) < reach
+    reach = abs(kick.features.offset[one.gap]) + depth
+    return abs(dot(one.point_on_side(there) - one.foot, 1j * one.direction)) < reach
 
 
 def _tips(kick: Kick) -> Plane:

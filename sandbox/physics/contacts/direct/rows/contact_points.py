@@ -22,13 +22,13 @@ class ContactPoints(NamedTuple):
         (k,), the contact of each, and which of its two points it is.
     number
         (k,), the same as one index: 2 pair + point.
-    rubs
+    friction_points
         (f,), the points that carry friction: the first of each contact with friction.
     rows
         (k + f,), the points of all rows: first those of the gaps, then those of friction.
-    held
+    row_bodies
         (2, k + f), the bodies of these.
-    into
+    jacobian_indices
         The indices of the bodies' coordinates in the flattened Jacobian of gaps and friction: of x
         and y by turns, (2, 2 (k + f)), and of the angles, (2, k + f).
     figures
@@ -46,10 +46,10 @@ class ContactPoints(NamedTuple):
     pair: Integers
     point: Integers
     number: Integers
-    rubs: Integers
+    friction_points: Integers
     rows: Integers
-    held: Integers
-    into: tuple[Integers, Integers]
+    row_bodies: Integers
+    jacobian_indices: tuple[Integers, Integers]
     figures: Figures
     outlines: Outlines
     yields: Booleans
@@ -57,17 +57,17 @@ class ContactPoints(NamedTuple):
 
     @classmethod
     def between(
-        cls, contacts: Contacts, rubs: Booleans, figures: Figures, moves: Booleans
+        cls, contacts: Contacts, has_friction: Booleans, figures: Figures, moves: Booleans
     ) -> "ContactPoints":
         """Return the points of contacts: the first points of all contacts, then the second ones.
 
-        `rubs`, (c,), tells which contacts have friction, and `moves`, (n,), which bodies are
-        dynamic; `figures` are the outlines of all bodies.
+        `has_friction`, (c,), tells which contacts have friction, and `moves`, (n,), which bodies
+        are dynamic; `figures` are the outlines of all bodies.
         """
         count, two = len(contacts.bodies), np.flatnonzero(contacts.touches == 2)
         pair = np.concatenate((np.arange(count), two))
         point = np.repeat((0, 1), (count, len(two)))
-        bodies, rubbing = contacts.bodies[pair].T.copy(), np.flatnonzero(rubs)
+        bodies, rubbing = contacts.bodies[pair].T.copy(), np.flatnonzero(has_friction)
         rows = np.concatenate((np.arange(len(pair)), rubbing))
         held, everything = bodies[:, rows], figures.of(bodies)
         into, yields = _into(held, len(moves) + 1), moves[bodies[0]] & ~moves[bodies[1]]
@@ -98,15 +98,15 @@ class ContactPoints(NamedTuple):
         """Return the pairs of bodies at some of the points, each once, the lower index first."""
         return sorted({(min(pair), max(pair)) for pair in self.bodies.T[points].tolist()})
 
-    def rubbing_at(self, points: Integers) -> "ContactPoints":
+    def with_friction_at(self, points: Integers) -> "ContactPoints":
         """Return the same with friction at other points: (f,)."""
         rows = np.concatenate((np.arange(len(self.pair)), points))
-        return self._replace(rubs=points, rows=rows)
+        return self._replace(friction_points=points, rows=rows)
 
     @property
-    def sliding(self) -> Integers:
+    def friction_bodies(self) -> Integers:
         """The bodies of the rows of friction: (2, f)."""
-        return self.held[:, len(self.pair) :]
+        return self.row_bodies[:, len(self.pair) :]
 
 
 def _into(bodies: Integers, count: int) -> tuple[Integers, Integers]:

@@ -33,13 +33,13 @@ class FollowedContact(NamedTuple):
     """A contact on a curve, at some position.
 
     `gap` and `slip` are V and S above [m], and `normal` is n, from the curve to P, along the axes
-    of the curve's body. `share` is (1 − κ δ0) / (1 − κ δ).
+    of the curve's body. `fraction` is (1 − κ δ0) / (1 − κ δ).
     """
 
     gap: float
     slip: float
     normal: complex
-    share: float
+    fraction: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,15 +62,15 @@ class CurveContact:
     start: float
     radius: float
 
-    def look(self, place: complex) -> FollowedContact:
+    def evaluate(self, position: complex) -> FollowedContact:
         """Return the contact with P at a place, along the axes of the curve's body."""
-        first, foot = self.foot, self.course.foot_point_near(place, self.foot.parameter)
+        first, foot = self.foot, self.course.foot_point_near(position, self.foot.parameter)
         left = 1j * foot.tangent
-        apart = dot(place - foot.point, left)
+        apart = dot(position - foot.point, left)
         turned = phase(foot.tangent / first.tangent)
         way = self.course.length(first.parameter, foot.parameter) - self.start * turned
-        share = (1 - foot.curvature * self.start) / (1 - foot.curvature * apart)
-        return FollowedContact(self.hand * apart, -self.hand * way, self.hand * left, share)
+        fraction = (1 - foot.curvature * self.start) / (1 - foot.curvature * apart)
+        return FollowedContact(self.hand * apart, -self.hand * way, self.hand * left, fraction)
 
     @property
     def center(self) -> complex:
@@ -101,14 +101,14 @@ def on_curves(
         for curve, other, sign in ((a, b, 1), (b, a, -1)):
             if course := figures.courses.get(curve):
                 out = complex(normal[point]) * sign
-                on_curve, place = (complex(side[point]) for side in points[::sign])
+                on_curve, position = (complex(side[point]) for side in points[::sign])
                 if radius := figures.radius[other]:
-                    place = complex(placed[0][other])
+                    position = complex(placed[0][other])
                 else:
                     radius = figures.rounding[other]
-                    place += out * radius
+                    position += out * radius
                 where, turned = (complex(values[curve]) for values in placed)
-                touched, at = (on_curve - where) / turned, (place - where) / turned
+                touched, at = (on_curve - where) / turned, (position - where) / turned
                 near = course.foot_point(touched) or _end(course, touched, figures.rounding[curve])
                 if near:
                     foot = course.foot_point_near(at, near.parameter)
@@ -143,23 +143,28 @@ def follow_curves(
         where, turned = placed[0], complex(placed[1][one.curve])
         own, other = arms[:: one.sign]
         way = complex(where[one.other] + other[one.point] - where[one.curve])
-        found = one.look(way / turned)
+        found = one.evaluate(way / turned)
         gap[one.point], slip[one.point] = found.gap, found.slip
         along[one.point] = one.sign * found.normal * turned
-        across[one.point] = 1j * along[one.point] * found.share
+        across[one.point] = 1j * along[one.point] * found.fraction
         own[one.point] = way
 
 
 def roll_on_curves(
-    curved: Sequence[CurveContact], faces: Booleans, rubs: Integers, figures: Figures, rolls: Array
+    curved: Sequence[CurveContact],
+    faces: Booleans,
+    friction_points: Integers,
+    figures: Figures,
+    rolls: Array,
 ) -> None:
     """Set the radii by which the angles of bodies count in the slip on curves.
 
-    `faces`, (k,), tells whether a straight side touches there, and `rubs`, (f,), are the points
-    with friction. `rolls`, (2, f), are the radii of the first bodies and the second ones [m].
+    `faces`, (k,), tells whether a straight side touches there, and `friction_points`, (f,), are the
+    points with friction. `rolls`, (2, f), are the radii of the first bodies and the second ones
+    [m].
     """
     for one in curved:
-        slip = rubs == one.point
+        slip = friction_points == one.point
         radius = one.radius
         if faces[one.point]:
             radius = -1 / abs(one.foot.curvature) - figures.rounding[one.curve]

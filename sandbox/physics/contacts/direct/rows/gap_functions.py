@@ -64,7 +64,7 @@ class Features:
         (k + f,), the body with the side; the first body where there is none.
     normal
         (k + f,), n above, and i n for friction, along the axes of that body.
-    owns
+    is_owner
         (2, k + f), 1 for the body with the side, else 0.
     rounds
         The r points without a side; None if all have one.
@@ -74,7 +74,7 @@ class Features:
         a and b above, (2, f) [m].
     circles
         (f,), s above for friction between discs, and 0 elsewhere.
-    apart
+    offset
         (k,), d at the beginning of the drift [m].
     curved
         The points on curves, which are osculating circles in the other fields.
@@ -86,51 +86,51 @@ class Features:
     points: Plane
     side: Integers
     normal: Plane
-    owns: Array
+    is_owner: Array
     rounds: slice | Integers | None
     sign: Array
     rolls: Array
     circles: Array
-    apart: Plane
+    offset: Plane
     curved: tuple[CurveContact, ...] = ()
     corners: Booleans | None = None
 
-    def look(self, place: Coordinates, total: Array, jacobian: Array) -> None:
+    def evaluate(self, pose: Coordinates, total: Array, jacobian: Array) -> None:
         """Write the gaps and slips, (k + f,), and their Jacobian, (k + f, 3 N).
 
         Entries of the Jacobian that are 0 are not written.
         """
-        held, count = self.touching.held, len(self.apart)
-        turned, plane = place.turned, place.plane
+        held, count = self.touching.row_bodies, len(self.offset)
+        turned, plane = pose.turned, pose.plane
         arms = self.points * turned.take(held)
         ends = plane.take(held) + arms
         d = ends[1] - ends[0]
         ways = self.normal * turned.take(self.side)
         beside = ways.conj() * d  # along the normal, and along the side
         if self.rounds is not None or self.curved:
-            self._bend(place, arms, d[:count], ways, beside)
+            self._bend(pose, arms, d[:count], ways, beside)
         total[:] = beside.real
         way = FROM_TO * ways
         spin = (way * arms.conj()).imag
-        spin += self.owns * beside.imag
+        spin += self.is_owner * beside.imag
         if len(held[0]) > count:
-            rolled = self.rolls * place.angle.take(held[:, count:])
+            rolled = self.rolls * pose.angle.take(held[:, count:])
             total[count:] += rolled[0]
             total[count:] += rolled[1]
             spin[:, count:] += self.rolls
-        in_plane, in_angle = self.touching.into
+        in_plane, in_angle = self.touching.jacobian_indices
         flat = jacobian.reshape(-1)
         flat[in_plane], flat[in_angle] = way.view(float), spin
 
-    def _bend(self, place: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
-        """Correct the rows of discs and curves, for which normals turn; see `look`."""
-        rubs, count = self.touching.rubs, len(d)
+    def _bend(self, pose: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
+        """Correct the rows of discs and curves, for which normals turn; see `evaluate`."""
+        rubs, count = self.touching.friction_points, len(d)
         along, across = ways[:count], 1j * ways[:count]
         rows = gap, slip, _, _ = beside.real[:count], beside.imag[:count], along, across
         if self.rounds is not None:
             self._of_round(d, rows)
         if self.curved:
-            follow_curves(self.curved, (place.plane, place.turned), arms[:, :count], rows)
+            follow_curves(self.curved, (pose.plane, pose.turned), arms[:, :count], rows)
             arms[:, count:] = arms[:, rubs]
         if len(rubs):
             beside.real[count:], beside.imag[count:] = slip.take(rubs), -gap.take(rubs)
@@ -144,19 +144,19 @@ class Features:
         d = _directed(d[rounds], normal)
         size = np.abs(d)
         gap[rounds], along[rounds] = sign * size, sign * d / size
-        if len(self.touching.rubs):
-            apart = _directed(self.apart[rounds], normal)
+        if len(self.touching.friction_points):
+            apart = _directed(self.offset[rounds], normal)
             first, turned = np.abs(apart), d / apart
             slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
             across[rounds] = 1j * along[rounds] * (first / size)
 
-    def moved(self, place: Coordinates) -> "Features":
+    def moved(self, pose: Coordinates) -> "Features":
         """Return the same contact points for a drift that begins at other positions."""
-        held = self.touching.held
-        first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
-        there = copy(self)
-        there.apart = second - first
-        there.rolls = _to_the_middle(self.rolls, self.circles, there.apart[self.touching.rubs])
+        there, held, rubs = copy(self), self.touching.row_bodies, self.touching.friction_points
+        points = pose.plane[held] + self.points * pose.turned[held]
+        first, second = points[:, : len(self.offset)]
+        there.offset = second - first
+        there.rolls = _to_the_middle(self.rolls, self.circles, there.offset[rubs])
         return there
 
 
@@ -172,7 +172,7 @@ def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice
 
 
 def features(
-    contacts: Contacts, touching: ContactPoints, place: Coordinates, origin: complex
+    contacts: Contacts, touching: ContactPoints, pose: Coordinates, origin: complex
 ) -> Features:
     """Return the contact points of a step; the origin is that of the positions [m]."""
     bodies, pair, _, number, rubs = touching[:5]
@@ -181,15 +181,15 @@ def features(
     middle = np.ascontiguousarray(contacts.points).view(complex).take(number) - origin
     out = OUT * n  # of each body
     surfaces = middle + out * (contacts.depths.take(number) / 2)
-    where, turned = place.plane.take(bodies), place.turned.take(bodies)
+    where, turned = pose.plane.take(bodies), pose.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
     back = turned.conj()
     owns, normals = _owners(touching, out * back, (surfaces - where) * back)
-    curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
+    curved = tuple(on_curves(figures, bodies, n, surfaces, (pose.plane, pose.turned)))
     if (ends := touching.ends) is not None:
         is_round = is_round & ~ends
         curved = tuple(one for one in curved if not ends[int(one.sign < 0), one.point])
-    is_round, center = _with_curves(curved, place, is_round, center, owns)
+    is_round, center = _with_curves(curved, pose, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
     bends = _bends(outlines, is_round, owns, corner)
     core = surfaces if bends is None else surfaces - out * np.where(bends, outlines.rounding, 0.0)
@@ -207,12 +207,12 @@ def features(
         points=((at - where) * back).take(touching.rows, axis=1),
         side=side.take(touching.rows),
         normal=np.concatenate((normal, 1j * normal.take(rubs))),
-        owns=owns.take(touching.rows, axis=1).astype(float),
+        is_owner=owns.take(touching.rows, axis=1).astype(float),
         rounds=rounds,
         sign=np.zeros(0) if sign is None else sign[rounds],
         rolls=_to_the_middle(rolls, circles, d[rubs]),
         circles=circles,
-        apart=d,
+        offset=d,
         curved=tuple(one for one in curved if corner is not None and corner[one.point]),
         corners=corners,
     )
@@ -244,7 +244,7 @@ def _owners(touching: ContactPoints, out: Plane, points: Plane) -> tuple[Boolean
 
 def _with_curves(
     curved: Sequence[CurveContact],
-    place: Coordinates,
+    pose: Coordinates,
     is_round: Booleans,
     center: Plane,
     owns: Booleans,
@@ -258,7 +258,7 @@ def _with_curves(
     is_round, center = is_round.copy(), center.copy()
     for one in curved:
         own = int(one.sign < 0)
-        center[own, one.point] = place.plane[one.curve] + place.turned[one.curve] * one.center
+        center[own, one.point] = pose.plane[one.curve] + pose.turned[one.curve] * one.center
         is_round[own, one.point] = True
         owns[1 - own, one.point] &= one.arched
     return is_round, center
@@ -311,7 +311,7 @@ def _rolls(
     None if there is one everywhere. `bends`, (2, k), tells where they have rounded corners; None if
     nowhere.
     """
-    outlines, rubs = touching.outlines, touching.rubs
+    outlines, rubs = touching.outlines, touching.friction_points
     if not len(rubs):
         return np.zeros((2, 0))
     if sign is None:

@@ -44,19 +44,19 @@ class Kick:
         The exact joints and the contacts.
     layout, features
         The layout of the rows, and the contact points.
-    place
+    pose
         The positions of the bodies.
-    here
+    rows_at_start
         The rows at these positions.
     response
         (r, 3 N), the velocity changes by a unit impulse of each row: J M⁻¹.
-    runs
+    belt_slip
         (f,), the slip velocities of running surfaces, such as belts [m/s].
-    before, after
+    lengths_before, lengths_after
         (m,), the lengths that joints keep before and after the drift [m, rad].
     t
         The time of the kick [s].
-    closes
+    closing_count
         How many of the contacts, the last ones, are still open, and close within the drift.
     """
 
@@ -64,19 +64,19 @@ class Kick:
     contacts: Contacts
     layout: Layout
     features: Features
-    place: Coordinates
-    here: Rows
+    pose: Coordinates
+    rows_at_start: Rows
     response: Array
-    runs: Array
-    before: Array
-    after: Array
+    belt_slip: Array
+    lengths_before: Array
+    lengths_after: Array
     t: float
-    closes: int = 0
+    closing_count: int = 0
 
     @classmethod
     def at(
         cls,
-        place: Coordinates,
+        pose: Coordinates,
         joints: ExactJoints,
         contacts: Contacts,
         layout: Layout,
@@ -88,58 +88,67 @@ class Kick:
 
         `running`, (n, 2), are the velocities of running surfaces relative to their bodies [m/s];
         `course` are the lengths that joints keep before and after the drift.
-        The last `closes` contacts close only within the drift.
+        The last `closing_count` contacts close only within the drift.
         """
-        found = features(contacts, layout.touching, place, joints.origin)
-        here = rows_at(place, joints, found)
+        found = features(contacts, layout.touching, pose, joints.origin)
+        here = rows_at(pose, joints, found)
         response, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
         return cls(
-            joints, contacts, layout, found, place, here, response, runs, *course, closes=closes
+            joints,
+            contacts,
+            layout,
+            found,
+            pose,
+            here,
+            response,
+            runs,
+            *course,
+            closing_count=closes,
         )
 
-    def moved(self, place: Coordinates) -> "Kick":
+    def at_pose(self, pose: Coordinates) -> "Kick":
         """Return the system of the same contacts at other positions, with their normals there."""
-        kick, contacts = self._on(self.features.moved(place), place), self.contacts
+        kick, contacts = self._on(self.features.moved(pose), pose), self.contacts
         pairs = np.arange(len(contacts.bodies))  # the first points of all come first
         columns = 2 * contacts.bodies[:, 1:] + (0, 1)
-        direction = kick.here.jacobian[self.layout.gaps][pairs[:, None], columns]
+        direction = kick.rows_at_start.jacobian[self.layout.gaps][pairs[:, None], columns]
         kick.contacts = contacts._replace(direction=direction)
         return kick
 
-    def strikes(self, moved: Array, laws: Array, pulls: Array) -> bool:
+    def strikes(self, velocity: Array, laws: Array, pulls: Array) -> bool:
         """Return whether a gap that is still open closes faster than forces alone could cause.
 
-        `moved`, (3 N,), are the velocities after the kick [m/s, rad/s]; `laws` and `pulls`, (3 N,),
-        are the accelerations by force laws, and by joints and contacts [m/s², rad/s²].
+        `velocity`, (3 N,), are the velocities after the kick [m/s, rad/s]; `laws` and `pulls`, (3
+        N,), are the accelerations by force laws, and by joints and contacts [m/s², rad/s²].
         """
-        jacobian = self.here.jacobian[self.layout.gaps][self.ahead]
-        closing, *others = np.stack((moved, laws, laws + pulls)) @ jacobian.T
+        jacobian = self.rows_at_start.jacobian[self.layout.gaps][self.ahead]
+        closing, *others = np.stack((velocity, laws, laws + pulls)) @ jacobian.T
         return bool((closing < -np.maximum(*np.abs(others)) * self.joints.drift).any())
 
-    def contacts_at(self, place: Coordinates, without: Sequence[int] = ()) -> Contacts:
+    def contacts_at(self, pose: Coordinates, without: Sequence[int] = ()) -> Contacts:
         """Return the contacts that are still closed at other positions, `without` some."""
-        return _shut(self.carried(place), without) if len(self.contacts.bodies) else NO_CONTACTS
+        return _shut(self.carried(pose), without) if len(self.contacts.bodies) else NO_CONTACTS
 
-    def open_at(self, place: Coordinates) -> Contacts:
+    def open_at(self, pose: Coordinates) -> Contacts:
         """Return the contacts that are still to close at other positions."""
-        if not self.closes:
+        if not self.closing_count:
             return NO_CONTACTS
-        there, count = self.carried(place), len(self.contacts.bodies) - self.closes
+        there, count = self.carried(pose), len(self.contacts.bodies) - self.closing_count
         opened = np.asarray(~_shut_points(there).any(axis=1))
         opened[:count] = False
         return Contacts._make(field[opened] for field in there)
 
-    def carried(self, place: Coordinates) -> Contacts:
+    def carried(self, pose: Coordinates) -> Contacts:
         """Return the contacts at other positions.
 
         Contact points move with their corner or disc, and along their side.
         """
-        there, touching = self.moved(place), self.layout.touching
+        there, touching = self.at_pose(pose), self.layout.touching
         each = np.arange(len(touching.pair))
         guest = (self.features.side[each] == touching.bodies[0]).astype(np.intp)
         body, sense = touching.bodies[guest, each], 1 - 2 * guest
         arm = self.features.points[guest, each]
-        first, last = (at.plane[body] + arm * at.turned[body] for at in (self.place, place))
+        first, last = (at.plane[body] + arm * at.turned[body] for at in (self.pose, pose))
         old, new = (
             kick.contacts.direction.view(complex).take(touching.pair) for kick in (self, there)
         )
@@ -147,7 +156,7 @@ class Kick:
         depths, number, origin = self.contacts.depths.copy(), touching.number, self.joints.origin
         depth = depths.take(number)
         tip = points.take(number) - origin + sense * old * depth / 2
-        depth -= (there.here.total - self.here.total)[self.layout.gaps]
+        depth -= (there.rows_at_start.total - self.rows_at_start.total)[self.layout.gaps]
         tip = last + (tip - first) * (new / old)
         points.reshape(-1)[number] = tip - sense * new * depth / 2 + origin
         depths.reshape(-1)[number] = depth
@@ -155,19 +164,19 @@ class Kick:
             points=np.stack((points.real, points.imag), 2), depths=depths
         )
 
-    def between(self, place: Coordinates, course: Course) -> "Kick":
+    def between(self, pose: Coordinates, course: Course) -> "Kick":
         """Return the system at other positions, for a drift between other lengths of the joints."""
-        return self.moved(place).lasting(course)
+        return self.at_pose(pose).before_drift(course)
 
-    def lasting(self, course: Course) -> "Kick":
+    def before_drift(self, course: Course) -> "Kick":
         """Return the same before a drift between other lengths of the joints."""
-        return replace(self, before=course.before, after=course.after, t=course.t)
+        return replace(self, lengths_before=course.before, lengths_after=course.after, t=course.t)
 
-    def leaning(self, moved: Array, forces: Array) -> "Kick | None":
+    def with_tilt_friction(self, velocity: Array, forces: Array) -> "Kick | None":
         """Return the system with the friction of tilting sides at the point that bears the load.
 
         One of the two points of a side carries the friction of both: they slip alike as long as the
-        side lies flat. None if all lie flat. `moved`, (3 N,), are the velocities after the
+        side lies flat. None if all lie flat. `velocity`, (3 N,), are the velocities after the
         kick [m/s, rad/s], and `forces`, (r,), are its forces [N].
         """
         first, gaps = self.layout.gaps.start, self.layout.gaps
@@ -177,38 +186,38 @@ class Kick:
         bears = (forces[one] <= 0) & (other >= 0) & (forces[other] > 0)
         if not np.count_nonzero(bears):
             return None
-        leaves = self.here.jacobian[gaps] @ moved * self.joints.drift > LIFTS
+        leaves = self.rows_at_start.jacobian[gaps] @ velocity * self.joints.drift > LIFTS
         bears &= leaves[one - first]
         if not np.count_nonzero(bears):
             return None
-        touching = self.layout.touching.rubbing_at(np.where(bears, other, one) - first)
-        found = features(self.contacts, touching, self.place, self.joints.origin)
-        return self._on(found, self.place)
+        touching = self.layout.touching.with_friction_at(np.where(bears, other, one) - first)
+        found = features(self.contacts, touching, self.pose, self.joints.origin)
+        return self._on(found, self.pose)
 
-    def _on(self, found: Features, place: Coordinates) -> "Kick":
+    def _on(self, found: Features, pose: Coordinates) -> "Kick":
         """Return the system with other contact points, or at other positions."""
-        here = rows_at(place, self.joints, found)
+        here = rows_at(pose, self.joints, found)
         response = here.jacobian * self.joints.inverse
-        return replace(self, features=found, place=place, here=here, response=response)
+        return replace(self, features=found, pose=pose, rows_at_start=here, response=response)
 
-    def rows(self, way: Array) -> Rows:
+    def rows(self, displacement: Array) -> Rows:
         """Return the rows after a displacement, (3 N,); see `rows_at`."""
-        return rows_at(Coordinates(self.place.values + way), self.joints, self.features)
+        return rows_at(Coordinates(self.pose.values + displacement), self.joints, self.features)
 
-    def flat_rows(self, way: Array) -> Rows:
+    def flat_rows(self, displacement: Array) -> Rows:
         """Return the same, with contacts linearized in the displacement."""
-        here, there, touch = self.here, self.rows(way), self.layout.touch
+        here, there, touch = self.rows_at_start, self.rows(displacement), self.layout.touch
         total, jacobian = there.total.copy(), there.jacobian.copy()
-        total[touch] = here.total[touch] + here.jacobian[touch] @ way
+        total[touch] = here.total[touch] + here.jacobian[touch] @ displacement
         jacobian[touch] = here.jacobian[touch]
         return Rows(total, jacobian)
 
     def targets(self) -> Array:
         """Return the target values of the rows after the drift: (r,)."""
-        wanted = self.here.total.copy()
-        wanted[self.layout.joints] = -self.after
-        wanted[self.layout.slips] -= self.joints.drift * self.runs
-        if self.closes:
+        wanted = self.rows_at_start.total.copy()
+        wanted[self.layout.joints] = -self.lengths_after
+        wanted[self.layout.slips] -= self.joints.drift * self.belt_slip
+        if self.closing_count:
             closed = self.contacts.depths.take(self.layout.touching.number) - PROUD
             opens = OPENS * self.joints.drift
             wanted[self.layout.gaps] += np.where(self.ahead, np.minimum(closed, opens), 0.0)
@@ -217,12 +226,14 @@ class Kick:
     @cached_property
     def ahead(self) -> Booleans:
         """Which gaps are still open, and close within the drift: (k,)."""
-        return np.asarray(self.layout.touching.pair >= len(self.contacts.bodies) - self.closes)
+        return np.asarray(
+            self.layout.touching.pair >= len(self.contacts.bodies) - self.closing_count
+        )
 
     @property
     def slack(self) -> Booleans:
         """Which one-sided joints are slack, or not reached: (m,)."""
-        gap = self.here.total[self.layout.joints] + self.before
+        gap = self.rows_at_start.total[self.layout.joints] + self.lengths_before
         return np.asarray(self.joints.pulls_only & (gap > TAUT + QUADRATIC))
 
     @cached_property
@@ -232,13 +243,13 @@ class Kick:
         return np.asarray(moved[:, :-1])
 
     @cached_property
-    def blur(self) -> float:
+    def velocity_rounding(self) -> float:
         """The rounding error of velocities that follow from positions [m/s]."""
-        return blur(self.place.values, self.joints.drift)
+        return blur(self.pose.values, self.joints.drift)
 
     def joint_rates(self) -> Array:
         """Return the mean rates of the lengths that joints keep in the drift: (m,) [m/s, rad/s]."""
-        return np.asarray((self.after - self.before) / self.joints.drift)
+        return np.asarray((self.lengths_after - self.lengths_before) / self.joints.drift)
 
     def rates_now(self) -> Array:
         """Return the rates of these lengths at the time of the kick: (m,) [m/s, rad/s].
@@ -254,20 +265,20 @@ class Kick:
         First the normal ones, then friction; from the impulses of the rows, (r,).
         """
         layout, touching = self.layout, self.layout.touching
-        columns = [2 * body, 2 * body + 1, len(self.place.values) // 3 * 2 + body]
-        given = impulse[:, None] * self.here.jacobian[:, columns]
+        columns = [2 * body, 2 * body + 1, len(self.pose.values) // 3 * 2 + body]
+        given = impulse[:, None] * self.rows_at_start.jacobian[:, columns]
         found = np.zeros((2, len(self.contacts.bodies), 3))
         np.add.at(found[0], touching.pair, given[layout.gaps])
-        found[1, touching.rubs] = given[layout.slips]
+        found[1, touching.friction_points] = given[layout.slips]
         return found
 
-    def pushing(self, impulse: Array) -> Contacts:
+    def contacts_with(self, impulse: Array) -> Contacts:
         """Return the contacts with the impulses of the rows, (r,)."""
         layout, touching = self.layout, self.layout.touching
         number = len(self.contacts.bodies)
         normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float, copy=False)
         friction = np.zeros(number)
-        friction[touching.rubs] = impulse[layout.slips]
+        friction[touching.friction_points] = impulse[layout.slips]
         push = self.contacts.direction.view(complex) * (normal + 1j * friction)[:, None]
         return self.contacts._replace(
             normal=normal, friction=np.abs(friction), impulse=push.view(float)
@@ -292,24 +303,24 @@ def _shut_points(contacts: Contacts) -> Booleans:
     return np.asarray(shut, dtype=bool)
 
 
-def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
+def rows_at(pose: Coordinates, joints: ExactJoints, found: Features) -> Rows:
     """Return all rows at given positions; those of joints as length to keep less present length."""
     first = len(joints.pulls_only)
     count = first + len(found.touching.rows)
-    total, jacobian = np.empty(count), np.zeros((count, len(place.values)))
-    found.look(place, total[first:], jacobian[first:])
+    total, jacobian = np.empty(count), np.zeros((count, len(pose.values)))
+    found.evaluate(pose, total[first:], jacobian[first:])
     if first:
-        held = joints.look(place)
+        held = joints.evaluate(pose)
         np.negative(held.total, out=total[:first])
         np.negative(held.jacobian, out=jacobian[:first])
     return Rows(total, jacobian)
 
 
 def _runs(contacts: Contacts, layout: Layout, running: Array) -> Array:
-    rubs = layout.touching.rubs
+    rubs = layout.touching.friction_points
     if not np.count_nonzero(running):
         return np.zeros(len(rubs))
-    a, b = layout.touching.sliding
+    a, b = layout.touching.friction_bodies
     runs = running[b] - running[a]
     direction = contacts.direction[layout.touching.pair[rubs]]
     return np.asarray(runs[:, 1] * direction[:, 0] - runs[:, 0] * direction[:, 1])

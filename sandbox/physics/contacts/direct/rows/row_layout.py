@@ -102,7 +102,7 @@ class Layout:
 
     def rubbing(self, slips: Array) -> "Layout":
         """Return the same rows with other coefficients of kinetic friction: (f,)."""
-        friction = replace(self.problem.friction, slips=slips)
+        friction = replace(self.problem.friction, kinetic=slips)
         problem = self.problem._replace(friction=friction)
         parts = [_part(problem, one.rows, one.slips) for one in self.islands]
         return replace(self, problem=problem, islands=parts)
@@ -118,7 +118,9 @@ class Layout:
         if len(self.islands) != 1 or _is_alone(self.islands[0]):
             return False
         rows, slips, _ = self.islands[0]
-        return len(rows) == len(self.problem.free) and len(slips) == len(self.touching.rubs)
+        return len(rows) == len(self.problem.free) and len(slips) == len(
+            self.touching.friction_points
+        )
 
     @cached_property
     def alone(self) -> Integers:
@@ -158,7 +160,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     first, count = len(joints.pulls_only), len(contacts.bodies)
     slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
     touching = ContactPoints.between(contacts, (slips > 0) | (static > 0), surfaces.figures, moves)
-    pair, rubs, (a, b) = touching.pair, touching.rubs, touching.bodies
+    pair, rubs, (a, b) = touching.pair, touching.friction_points, touching.bodies
     contact = _points_of(rubs, pair[count:], count)
     contact = np.where(contact >= 0, contact + first, -1)
     gaps = slice(first, first + len(pair))
@@ -204,11 +206,11 @@ class Layouts:
         """Return the layout for some contacts, and remember it."""
         count, last = len(self._joints.added), self._last
         same = last is not None and last[1] == count and _alike_in(last[0], contacts)
-        layout = last[2] if last and same else self.anew(contacts)
+        layout = last[2] if last and same else self.new_layout(contacts)
         self._last = contacts, count, layout
         return layout
 
-    def anew(self, contacts: Contacts) -> Layout:
+    def new_layout(self, contacts: Contacts) -> Layout:
         """Return the layout for some contacts without remembering it."""
         return lay_out(contacts, self._joints, self._surfaces, self._moves)
 
@@ -251,11 +253,11 @@ def _refuse_large(parts: Sequence[Island], touching: ContactPoints) -> None:
     if sum(len(part.rows) ** 3 for part in parts) <= MOST_ROWS**3:
         return
     body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
-    most = max(len(part.rows) for part in parts)
+    limit = max(len(part.rows) for part in parts)
     reason = Message(
         "{count:,} constraints of contacts and joints are coupled, but at most {most:,} can be"
         " solved directly: let fewer bodies touch, or leave out the 'solver' \"direct\"",
-        count=most,
+        count=limit,
         most=MOST_ROWS,
     )
     raise SystemTooLarge(body, reason)
@@ -282,8 +284,8 @@ def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
     friction = Friction(
         number[old.row[slips]],
         number[old.contact[:, slips]],
-        old.sticks[slips],
-        old.slips[slips],
+        old.static[slips],
+        old.kinetic[slips],
     )
     alike = None if problem.alike is None else problem.alike[rows]
     part = Problem(problem.free[rows], problem.pushes[rows], friction, alike)

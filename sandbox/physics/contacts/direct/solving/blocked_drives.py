@@ -18,8 +18,8 @@ def is_blocked(kick: Kick, velocity: Array) -> bool:
     they are [m/s, rad/s].
     """
     free = kick.joints.inverse > 0
-    jacobian, layout = kick.here.jacobian[:, free], kick.layout
-    least = -kick.here.jacobian @ np.where(free, 0.0, velocity)
+    jacobian, layout = kick.rows_at_start.jacobian[:, free], kick.layout
+    least = -kick.rows_at_start.jacobian @ np.where(free, 0.0, velocity)
     least[layout.joints] -= kick.joint_rates()
     gaps, held = layout.gaps, layout.problem.free
     limits = np.vstack((jacobian[gaps], jacobian[held], -jacobian[held]))

@@ -23,12 +23,12 @@ one between them."""
 class ConstraintImpulses(NamedTuple):
     """The impulses that satisfy all rows; r of them, N bodies with the plane.
 
-    `moved`, (3 N,), are the velocities with the impulses, (r,) [m/s, rad/s], and `active` the
+    `velocity`, (3 N,), are the velocities with the impulses, (r,) [m/s, rad/s], and `active` the
     active rows. `flat` tells whether contacts constrain velocities instead of positions.
     """
 
     impulse: Array
-    moved: Array
+    velocity: Array
     active: Active
     flat: bool = False
 
@@ -53,7 +53,7 @@ def hold(
         return _found(kick, kick.layout, motion, guess, driven=driven, placed=placed)
     rest, decided = found
     held = _found(kick, rest, motion, guess, driven=driven, placed=placed)
-    check_held(kick, decided, held.moved)
+    check_held(kick, decided, held.velocity)
     return held
 
 
@@ -71,7 +71,7 @@ def _found(
     try:
         args = motion, joints.drift, wanted, impulse, active
         found = ConstraintImpulses(*newton(kick, layout, kick.rows, *args))
-        energy = joints.kinetic(motion)
+        energy = joints.kinetic_energy(motion)
         grown = _grows(kick, motion, found, energy)
         if not (grown or _squeezes(kick, motion, found, energy)):
             return found
@@ -89,8 +89,8 @@ def _found(
         return found
     held = kick.layout.joints
     if held.stop and not driven:
-        work = (flat.impulse * (kick.here.jacobian @ (motion + flat.moved)))[held]
-        joints.refuse_gain(motion, flat.moved, work)
+        work = (flat.impulse * (kick.rows_at_start.jacobian @ (motion + flat.velocity)))[held]
+        joints.refuse_gain(motion, flat.velocity, work)
     return flat
 
 
@@ -100,14 +100,14 @@ def _grows(kick: Kick, motion: Array, found: ConstraintImpulses, energy: float) 
     `energy` is the kinetic energy without impulses [J].
     """
     impulse, moved, *_ = found
-    joints, jacobian, layout = kick.joints, kick.here.jacobian, kick.layout
-    grown = joints.kinetic(moved) - GROWS * energy
+    joints, jacobian, layout = kick.joints, kick.rows_at_start.jacobian, kick.layout
+    grown = joints.kinetic_energy(moved) - GROWS * energy
     if grown <= 0:
         return False
     both, free = motion + moved, joints.inverse > 0
     driven = (jacobian != 0) @ (~free & (both != 0))
     driven[layout.joints] |= kick.joint_rates() != 0
-    driven[layout.slips] |= kick.runs != 0
+    driven[layout.slips] |= kick.belt_slip != 0
     work = impulse[driven] @ (jacobian[driven] @ (both * free)) / 2
     return grown > float(work)
 
@@ -120,7 +120,7 @@ def _squeezes(kick: Kick, motion: Array, found: ConstraintImpulses, energy: floa
     """
     impulse, moved, *_ = found
     gaps, least = kick.layout.gaps, GIVES * energy
-    closing, pushes = kick.here.jacobian[gaps], impulse[gaps]
+    closing, pushes = kick.rows_at_start.jacobian[gaps], impulse[gaps]
 
     def work(before: Array) -> float:
         return float(pushes.dot(closing.dot(before + moved))) / 2
@@ -133,7 +133,7 @@ def _joined(kick: Kick, motion: Array) -> Array:
     held = np.flatnonzero(kick.layout.problem.free)
     if not len(held):
         return motion
-    jacobian, response = kick.here.jacobian[held], kick.response[held]
+    jacobian, response = kick.rows_at_start.jacobian[held], kick.response[held]
     rates = jacobian @ motion + kick.joint_rates()[held]
     impulse = nearest(jacobian @ response.T, rates)
     return np.asarray(motion - impulse @ response)

@@ -13,7 +13,7 @@ from sandbox.physics.contacts.direct.complementarity.mixed_complementarity impor
     solve,
     solve_one,
 )
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Island, Layout
 from sandbox.physics.engine.space_arrays import Booleans, Integers
@@ -47,7 +47,7 @@ def newton(
     rounds, left = _Rounds(), layout
     for iteration in range(MAX_ITERATIONS):
         way = drift * (motion + impulse.dot(kick.response))
-        there = rows(way) if np.count_nonzero(way) else kick.here
+        there = rows(way) if np.count_nonzero(way) else kick.rows_at_start
         wrong, before = there.total - wanted, (impulse, active)
         missed, rate, held = np.abs(wrong), wrong / drift, active
         far = held.on & (missed > QUADRATIC)
@@ -58,9 +58,9 @@ def newton(
         if not np.count_nonzero(moves):
             return impulse, motion + impulse.dot(kick.response), active
         left = layout.around(moves)
-        if rounds.vain(held, most(missed[held.on])):
+        if rounds.vain(held, max_abs(missed[held.on])):
             break
-    raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
+    raise failure(kick, int(np.where(active.on, missed, 0.0).argmax()))
 
 
 def _with_settled(
@@ -163,11 +163,11 @@ def _solve_island(
     if impulse is not None:
         free = free - delassus.dot(impulse)
     try:
-        return solve(problem, delassus, free, guess, kick.blur, lets)
+        return solve(problem, delassus, free, guess, kick.velocity_rounding, lets)
     except Unsolvable as error:
-        raise lost(kick, int(rows[error.row])) from None
+        raise failure(kick, int(rows[error.row])) from None
     except np.linalg.LinAlgError:
-        raise lost(kick, int(rows[0])) from None
+        raise failure(kick, int(rows[0])) from None
 
 
 def _solve_alone(
@@ -183,20 +183,20 @@ def _solve_alone(
     free = rate.take(rows)
     if impulse is not None:
         free -= own * impulse.take(rows)
-    found, blur = [], kick.blur
+    found, blur = [], kick.velocity_rounding
     for row, *known in zip(rows, own.tolist(), free.tolist(), lets.tolist(), strict=True):
         delassus, wrong, allowed = known
         try:
             found.append(solve_one(delassus, wrong, blur, allowed))
         except Unsolvable:
-            raise lost(kick, int(row)) from None
+            raise failure(kick, int(row)) from None
     return found
 
 
-def lost(kick: Kick, row: int) -> JointFailure | NoForces:
+def failure(kick: Kick, row: int) -> JointFailure | NoForces:
     """Return the error for a row without a solution."""
     touching, gaps = kick.layout.touching, kick.layout.gaps
     if row < gaps.start:
-        return kick.joints.lost(row)
-    gap = row - gaps.start if row < gaps.stop else int(touching.rubs[row - gaps.stop])
+        return kick.joints.failure(row)
+    gap = row - gaps.start if row < gaps.stop else int(touching.friction_points[row - gaps.stop])
     return NoForces(*touching.bodies[:, gap].tolist())

@@ -27,16 +27,16 @@ ones could only be freed by turning them far, through others."""
 class OverlapCorrection:
     """Corrects overlaps, step by step.
 
-    `surfaces` tells how bodies touch; `known` is the warm start: forces and active rows of the last
+    `surfaces` tells how bodies touch; `warm_start` has the forces and active rows of the last
     kick.
     """
 
-    def __init__(self, surfaces: Surfaces, known: WarmStart) -> None:
-        self._surfaces, self._known = surfaces, known
+    def __init__(self, surfaces: Surfaces, warm_start: WarmStart) -> None:
+        self._surfaces, self._warm_start = surfaces, warm_start
         self._held: tuple[Layout, Active] | None = None  # the active rows of the last correction
         self._lost: Array = np.zeros(0)  # the last places and targets without a solution
 
-    def way(self, kick: Kick, leaving: Array) -> Array | None:
+    def displacement(self, kick: Kick, leaving: Array) -> Array | None:
         """Return the displacement, (3 N,) [m, rad], that removes a share of each large overlap.
 
         Bodies that separate by themselves are left alone: lifting a body that bounces would add
@@ -47,50 +47,52 @@ class OverlapCorrection:
         back = self._back(kick, leaving)
         if back is None:
             return None
-        layout, here, wanted = kick.layout, kick.here, kick.targets()
+        layout, here, wanted = kick.layout, kick.rows_at_start, kick.targets()
         held, slack = here.total[layout.joints], wanted[layout.joints]
         slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
         wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
         wanted[layout.gaps] += back
-        asked = np.concatenate((kick.place.values, wanted))
+        asked = np.concatenate((kick.pose.values, wanted))
         if np.array_equal(asked, self._lost):  # as in the kick before, while bodies are held
             return None
         try:
-            way, self._held = self._apart(kick, wanted, layout.smooth, self._start(layout))
+            shift, self._held = self._apart(kick, wanted, layout.smooth, self._start(layout))
         except (JointFailure, NoForces):
             self._lost = asked
             return None
-        way = self._together(kick, wanted, way)
-        return way if np.abs(way).max() <= FURTHEST * back.max() else None
+        shift = self._together(kick, wanted, shift)
+        return shift if np.abs(shift).max() <= FURTHEST * back.max() else None
 
     def _apart(
         self, kick: Kick, wanted: Array, layout: Layout, start: Active
     ) -> tuple[Array, tuple[Layout, Active]]:
         """Return the smallest displacement that satisfies the rows, and the active rows."""
-        none, still = np.zeros_like(wanted), np.zeros_like(kick.place.values)
-        _, way, held = newton(kick, layout, kick.rows, still, 1.0, wanted, none, start)
-        return way, (kick.layout, held)
+        none, still = np.zeros_like(wanted), np.zeros_like(kick.pose.values)
+        _, shift, held = newton(kick, layout, kick.rows, still, 1.0, wanted, none, start)
+        return shift, (kick.layout, held)
 
-    def _together(self, kick: Kick, wanted: Array, way: Array) -> Array:
+    def _together(self, kick: Kick, wanted: Array, shift: Array) -> Array:
         """Return a displacement that keeps bodies that press on each other in contact.
 
-        `wanted`, (r,), are the least values of the rows afterwards. `way`, (3 N,), is the smallest
-        displacement [m, rad]; it is returned if none keeps them in contact.
+        `wanted`, (r,), are the least values of the rows afterwards. `shift`, (3 N,), is the
+        smallest displacement [m, rad]; it is returned if none keeps them in contact.
         """
         layout, depths = kick.layout, kick.contacts.depths.take(kick.layout.touching.number)
-        lifts = (kick.rows(way).total - wanted)[layout.gaps]
+        lifts = (kick.rows(shift).total - wanted)[layout.gaps]
         holds = np.zeros(len(wanted), dtype=bool)
-        holds[layout.gaps] = self._known.pressed(kick) & (lifts > np.maximum(depths - PROUD, 0.0))
+        holds[layout.gaps] = self._warm_start.was_loaded(kick) & (
+            lifts > np.maximum(depths - PROUD, 0.0)
+        )
         if not np.count_nonzero(holds):
-            return way
+            return shift
         problem = layout.smooth.problem
         free, pushes = problem.free | holds, problem.pushes & ~holds
         holding = layout.smooth.asking(problem._replace(free=free, pushes=pushes))
-        slip = np.zeros(len(layout.touching.rubs), dtype=np.intp)
+        slip = np.zeros(len(layout.touching.friction_points), dtype=np.intp)
         try:
             return self._apart(kick, wanted, holding, Active(free, slip))[0]
         except (JointFailure, NoForces):
-            return way
+            return shift
 
     def _back(self, kick: Kick, leaving: Array) -> Array | None:
         """Return by how much the gaps are to grow, (k,) [m]; None if none is to."""
@@ -98,14 +100,18 @@ class OverlapCorrection:
         deep = kick.contacts.depths.take(layout.touching.number) - self._surfaces.slop
         if not correction or not np.count_nonzero(deep > 0):
             return None
-        parts = kick.here.jacobian[layout.gaps] @ leaving
-        parts[self._known.pressed(kick)] = 0.0  # rolling bodies separate a little: their paths bend
+        parts = kick.rows_at_start.jacobian[layout.gaps] @ leaving
+        parts[self._warm_start.was_loaded(kick)] = (
+            0.0  # rolling bodies separate a little: their paths bend
+        )
         back = correction * deep - np.maximum(parts, 0.0)
-        back = np.where(self._known.met(kick) & (back > NOTHING), back, 0.0)
+        back = np.where(self._warm_start.existed(kick) & (back > NOTHING), back, 0.0)
         return back if back.any() else None
 
     def _start(self, layout: Layout) -> Active:
         """Return the active rows of the last correction, if the contacts are the same."""
         if self._held and self._held[0] is layout:
             return self._held[1]
-        return Active(layout.problem.free, np.zeros(len(layout.touching.rubs), dtype=np.intp))
+        return Active(
+            layout.problem.free, np.zeros(len(layout.touching.friction_points), dtype=np.intp)
+        )

@@ -28,7 +28,9 @@ def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
     if not len(layout.joined):
         return None
     count, rows = len(layout.joined), layout.tied
-    delassus = kick.here.jacobian.take(rows, axis=0).dot(kick.response.take(rows, axis=0).T)
+    delassus = kick.rows_at_start.jacobian.take(rows, axis=0).dot(
+        kick.response.take(rows, axis=0).T
+    )
     across, own = delassus[:count, count:], delassus.diagonal()[:count]
     shares = nearest(delassus[count:, count:], across.T)
     held = layout.joined[own - np.vecdot(across, shares.T) <= MOVES * own]

@@ -11,7 +11,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
-from sandbox.physics.contacts.direct.complementarity.redundant_systems import most
+from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
 from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
@@ -90,7 +90,7 @@ class WarmStart:
         """The last kick, and the forces before it, (r,) [N]; None if other rows held then."""
         return (self._known, self._past[1]) if self._known and len(self._past) > 1 else None
 
-    def pressed(self, kick: Kick) -> Booleans:
+    def was_loaded(self, kick: Kick) -> Booleans:
         """Return which gaps had a normal force in the last kick: (k,)."""
         if known := self._recalled(kick):
             return np.asarray(known.force > 0)
@@ -100,7 +100,7 @@ class WarmStart:
             force[gap] = self._known.force[old]
         return np.asarray(force > 0)
 
-    def met(self, kick: Kick) -> Booleans:
+    def existed(self, kick: Kick) -> Booleans:
         """Return which gaps existed in the last kick: (k,)."""
         if self._recalled(kick):
             return np.ones(len(kick.layout.touching.pair), dtype=bool)
@@ -114,8 +114,8 @@ class WarmStart:
         if len(self._past) < 3:
             return last
         _, before, first = self._past
-        bend = most(last - 2 * before + first)
-        return parabola(self._past) if bend <= SMOOTH * most(last - before) else last
+        bend = max_abs(last - 2 * before + first)
+        return parabola(self._past) if bend <= SMOOTH * max_abs(last - before) else last
 
     def _recalled(self, kick: Kick) -> LastKick | None:
         """Return the last kick, if it had the same contacts."""
@@ -129,8 +129,8 @@ class WarmStart:
         signs of sliding friction, (f,), 0 where it sticks.
         """
         touching, layout, known = kick.layout.touching, kick.layout, self._known
-        rates = kick.here.jacobian @ motion
-        rates[layout.slips] += kick.runs
+        rates = kick.rows_at_start.jacobian @ motion
+        rates[layout.slips] += kick.belt_slip
         on, speed = rates[layout.gaps] < 0, rates[layout.slips]
         force, along = np.zeros(len(on)), np.zeros(len(speed))
         slip = np.where(np.abs(speed) > AT_REST, -np.sign(speed), 0).astype(np.intp)
@@ -141,8 +141,8 @@ class WarmStart:
             keys, old_keys = _keys(touching), _keys(before)
             for gap, old in _same(keys, old_keys):
                 force[gap], on[gap] = old_force[old], old_on[old]
-            for place, old in _same(_rubbing(touching, keys), _rubbing(before, old_keys)):
-                along[place], slip[place] = old_along[old], known.active.slip[old]
+            for index, old in _same(_rubbing(touching, keys), _rubbing(before, old_keys)):
+                along[index], slip[index] = old_along[old], known.active.slip[old]
         return force, along, on, slip
 
     def _same(self, kick: Kick) -> list[tuple[int, int]]:
@@ -164,13 +164,13 @@ def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array
 
 def _same(new: list[Key], old: list[Key]) -> list[tuple[int, int]]:
     """Return the indices of keys that there are in both lists, in each of them."""
-    places = {key: place for place, key in enumerate(old)}
-    return [(place, places[key]) for place, key in enumerate(new) if key in places]
+    places = {key: index for index, key in enumerate(old)}
+    return [(index, places[key]) for index, key in enumerate(new) if key in places]
 
 
 def _rubbing(touching: ContactPoints, keys: list[Key]) -> list[Key]:
     """Return the keys of friction, at either point, from those of all gaps."""
-    return [(*keys[gap][:3], 0) for gap in touching.rubs.tolist()]
+    return [(*keys[gap][:3], 0) for gap in touching.friction_points.tolist()]
 
 
 def _keys(touching: ContactPoints) -> list[Key]:

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.physics.contacts.direct.complementarity.redundant_systems import (
     least_distance,
-    most,
+    max_abs,
     nearest,
 )
 
@@ -37,13 +37,13 @@ def test_without_limits_the_shortest_vector_is_none_at_all(ways: int) -> None:
 def test_the_size_of_the_largest_number_counts_whatever_its_sign(
     values: list[float], largest: float
 ) -> None:
-    assert most(np.array(values)) == largest
+    assert max_abs(np.array(values)) == largest
 
 
 def test_no_size_is_known_of_what_is_not_a_number() -> None:
     """Or the solution of rows that repeat each other would be taken for a small one."""
-    assert isnan(most(np.array([nan, 1.0])))
-    assert isnan(most(np.array([1.0, nan, inf])))
+    assert isnan(max_abs(np.array([nan, 1.0])))
+    assert isnan(max_abs(np.array([1.0, nan, inf])))
 
 
 @pytest.mark.parametrize("repeated", [0, 2])

@@ -10,7 +10,7 @@ from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
 from sandbox.physics.contacts.direct.drifts import fallback_subdivision
 from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult
-from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, take
+from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, solve_kick
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solver import DirectSolver
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
@@ -56,8 +56,8 @@ def test_a_wheel_whips_light_planks_straight_and_rolls_on(monkeypatch: pytest.Mo
         world.advance()
         direct = world.scene.direct
         assert direct
-        if direct.drifts.divided and direct.drifts.divided.first < 1:  # no landing
-            divided.add(len(direct.drifts.divided.between))
+        if direct.drifts.drift_after and direct.drifts.drift_after.first_fraction < 1:  # no landing
+            divided.add(len(direct.drifts.drift_after.kicks_between))
         assert world.scene.joints.parting()[1] < 1e-9
     assert divided
 
@@ -99,16 +99,16 @@ def in_two(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every drift be taken in two parts."""
 
     def refuse(
-        kick: Kick, start: KickStart, known: WarmStart, *, placed: bool = False
+        kick: Kick, start: KickStart, warm_start: WarmStart, *, placed: bool = False
     ) -> KickResult:
         if kick.joints.drift == start.step and start.lead > 0:
             raise NoForces(0, 1)
-        return take(kick, start, known, placed=placed)
+        return solve_kick(kick, start, warm_start, placed=placed)
 
     def together(direct: DirectSolver, _until: float) -> None:
         direct._solve_all()
 
-    monkeypatch.setattr(solver, "take", refuse)
+    monkeypatch.setattr(solver, "solve_kick", refuse)
     monkeypatch.setattr(DirectSolver, "_solve_joints", together)
 
 
@@ -123,8 +123,8 @@ def test_a_drift_in_two_parts_is_as_close_as_two_steps(monkeypatch: pytest.Monke
     divided = np.abs(world.advance(30).position - exact).max()
 
     assert world.scene.direct
-    assert world.scene.direct.drifts.divided
-    assert len(world.scene.direct.drifts.divided.between) == 2
+    assert world.scene.direct.drifts.drift_after
+    assert len(world.scene.direct.drifts.drift_after.kicks_between) == 2
     assert half < whole / 3.5
     assert divided == pytest.approx(half, rel=0.2)
 
@@ -166,9 +166,9 @@ def test_joints_alone_go_on_from_the_last_part_of_a_drift(monkeypatch: pytest.Mo
         ledger.note()
     direct = world.scene.direct
     assert direct
-    assert direct.drifts.divided
+    assert direct.drifts.drift_after
     world.advance()
     ledger.note()
 
-    assert direct.drifts.drifted
+    assert direct.drifts.drift_before
     assert np.abs(ledger.balance.unexplained_impulse).max() < 1e-12 * 20 * G

@@ -189,8 +189,8 @@ def test_what_moves_absurdly_far_in_a_step_is_looked_at_only_so_often(
     looked: list[float] = []
     look = HollowPairs._times
 
-    def counted(pairs: HollowPairs, path: Path, lasts: float, pair: Pair) -> Iterator[float]:
-        for time in look(pairs, path, lasts, pair):
+    def counted(pairs: HollowPairs, path: Path, duration: float, pair: Pair) -> Iterator[float]:
+        for time in look(pairs, path, duration, pair):
             looked.append(time)
             assert len(looked) < 20_000
             yield time

@@ -52,7 +52,7 @@ def test_what_stays_apart_for_certain_never_meets(
     for first, second in sure:
         one, other = own[first], others[second]
         for t in np.linspace(0, DRIFT, 50):
-            assert distance(path.place_at(t), one, other) > 0
+            assert distance(path.pose_at(t), one, other) > 0
         assert meet(path, one, other, 0.0, DRIFT, np.zeros((2, 2, 3))) is None
 
 
