@@ -87,7 +87,10 @@ def _may_press(level: Level, contact: Contact) -> bool:
 
 
 def _are_unequal(masses: Sequence[Expression], defaults: Values) -> bool:
-    """Whether masses differ much; not if one has no value, for which the level will be refused."""
+    """Return whether masses differ much.
+
+    They do not if one has no value: the level will be refused for that.
+    """
     try:
         values = [mass(defaults) for mass in masses]
     except (KeyError, ExpressionError):

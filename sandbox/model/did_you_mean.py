@@ -73,7 +73,8 @@ _WORDS = {
 LONGEST = 100  # characters; nothing longer resembles a name
 
 MOST_NAMES = 1000
-"""The number of names above which a name is not compared with them: each comparison takes 20 µs."""
+"""The number of names above which a name is not compared with them, as each comparison takes 20 µs;
+synonyms are found among any number."""
 
 TYPED, ALIKE = 0.85, 0.6
 """The likeness of a name with a typing error, and the least likeness that counts. Words that mean

@@ -60,10 +60,9 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Edi
     `kind` is as in a level's file, and `chosen` has the two ends, in order. For a pulley, it also
     has the pegs between them. For a pin, it has the two parts, held at the first point; for a rail,
     the body that slides, and a point through which the rail passes, or the slot of a body; for a
-    winding, the end of the
-    string, and the wheel on the side where the string leaves it; for a wire, the bead, and a point
-    through which the wire passes. Raises `SandboxError` if the kind does not exist, or cannot join
-    these points.
+    winding, the end of the string, and the wheel on the side where the string leaves it; for a
+    wire, the bead, and a point through which the wire passes. Raises `SandboxError` if the kind
+    does not exist, or cannot join these points.
     """
     if kind not in KINDS:
         raise SandboxError(

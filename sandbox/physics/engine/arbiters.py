@@ -1,4 +1,4 @@
-"""Reads pymunk's arbiters, one for each pair in contact, as arrays (see `Contacts` in `batch`).
+"""Reads pymunk's arbiters, one for each pair in contact, as the arrays of `space_arrays.Contacts`.
 
 The pairs in contact seldom change from step to step, so everything that follows from them alone is
 kept.

@@ -268,8 +268,10 @@ class ImpactLocator:
         self, path: Path, near: list[tuple[int, int]], since: float, adds: Array
     ) -> list[Hit]:
         shapes = self._outlines
-        gives = np.array((adds, path.acceleration * (self._dt - since)))
-        found = (meet(path, shapes[a], shapes[b], since, self._dt, gives) for a, b in near)
+        velocity_changes = np.array((adds, path.acceleration * (self._dt - since)))
+        found = (
+            meet(path, shapes[a], shapes[b], since, self._dt, velocity_changes) for a, b in near
+        )
         return [hit for hit in found if hit]
 
     def _collide(self, path: Path, group: list[Hit], tally: Tally) -> Booleans:

@@ -54,7 +54,7 @@ def exert(law: Law, motion: Motion, wrench: Array) -> None:
     for weight, other in motion.path:
         then = np.zeros_like(wrench)
         law.add(other, then)
-        wrench += weight * (then - now)  # exactly 0 for bodies whose velocity is the same
+        wrench += weight * (then - now)  # exactly 0 where it sees the same velocities
 
 
 class VelocityRotation(Protocol):

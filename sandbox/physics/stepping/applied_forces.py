@@ -196,7 +196,8 @@ def _path(
     The kick before it took the forces at the velocities of `last` up to its middle, and the kick
     after it takes those of `reading` from there on. The mean along the path, by the trapezoidal
     rule, is to replace that. All motions are at the place and time of `reading`, so the weights
-    cancel for whatever does not depend on velocities; bodies without a landing keep theirs.
+    cancel for whatever does not depend on velocities. A body without a landing has the velocity of
+    `reading` in all of them.
     """
 
     def at(velocity: Array) -> Reading:

@@ -169,7 +169,7 @@ def _allowed(
 ) -> float:
     """Return the approach velocity that counts as zero, or with which bodies may still rest [m/s].
 
-    `gets` are the changes of velocity of each body, as `gives` of `meet`.
+    `gets` are the changes of velocity of each body, as `velocity_changes` of `meet`.
     """
     allowed = ROUNDING * max(abs(rate) for rate in (*speeds, gets[0][0], gets[1][0]))
     if rests:

@@ -53,7 +53,7 @@ def completed(contacts: Contacts, impulse: Array) -> Contacts:
     return contacts._replace(impulse=whole)
 
 
-def contact_torques(contacts: Contacts, impulse: Array, pose: Array, inertia: Array) -> Array:
+def contact_torques(contacts: Contacts, impulse: Array, positions: Array, inertia: Array) -> Array:
     """Return the angular impulse of contacts on their second bodies, about their middle: (k,).
 
     The pressure of one side on another is larger at one end. The difference follows from the
@@ -69,7 +69,7 @@ def contact_torques(contacts: Contacts, impulse: Array, pose: Array, inertia: Ar
         return found
     turning, lack = inertia[:, 2] > 0, impulse[:, 2].copy()
     gives = np.zeros((len(impulse), len(sides)))
-    arms = contacts.on_surfaces(_middles(contacts)) - pose[contacts.bodies]
+    arms = contacts.on_surfaces(_middles(contacts)) - positions[contacts.bodies]
     for side, sign in ((0, -1.0), (1, 1.0)):
         rows, arm = contacts.bodies[:, side], arms[:, side]
         across = arm[:, 0] * contacts.impulse[:, 1] - arm[:, 1] * contacts.impulse[:, 0]
@@ -81,17 +81,18 @@ def contact_torques(contacts: Contacts, impulse: Array, pose: Array, inertia: Ar
 
 def contact_friction_work(
     contacts: Contacts,
-    pose: Array,
-    mean: Array,
+    positions: Array,
+    mean_velocity: Array,
     inertia: Array,
     running: Array,
-    turned: Array | float = 0.0,
+    torques: Array | float = 0.0,
 ) -> tuple[float, dict[str, float]]:
     """Return the work of friction, and the energy from kinematic bodies and belts [J].
 
-    `contacts` are those of a kick, and `pose`, `mean` and `inertia` are as in a `KickRecord`.
-    `running`, (n, 2), are the velocities of the bodies' running surfaces [m/s]; `turned`, (k,), are
-    the angular impulses of the contacts on their second bodies, see `contact_torques`.
+    `contacts` are those of a kick, and `positions`, `mean_velocity` and `inertia` are as in a
+    `KickRecord`. `running`, (n, 2), are the velocities of the bodies' running surfaces [m/s];
+    `torques`, (k,), are the angular impulses of the contacts on their second bodies, see
+    `contact_torques`.
     """
     along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
     friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along
@@ -100,12 +101,12 @@ def contact_friction_work(
     work = {"bodies": 0.0, "belt": 0.0}
     for side, sign in ((0, -1.0), (1, 1.0)):
         rows = contacts.bodies[:, side]
-        arm, goes = on_surfaces[:, side] - pose[rows], mean[rows]
+        arm, goes = on_surfaces[:, side] - positions[rows], mean_velocity[rows]
         moves = point_velocity(goes, arm)
         driven = inertia[rows, 0] == 0
         runs = running[rows]
         slip += sign * (moves + runs)
-        gives = np.sum(contacts.impulse * moves, axis=1) + turned * goes[:, 2]
+        gives = np.sum(contacts.impulse * moves, axis=1) + torques * goes[:, 2]
         work["bodies"] -= sign * float(np.sum(gives[driven]))
         work["belt"] -= sign * float(np.sum(friction * runs))
     return float(np.sum(friction * slip)), work

@@ -91,7 +91,7 @@ class Sequence:
     def _exchange(
         self,
         contacts: Contacts,
-        pose: Array,
+        positions: Array,
         velocity: Array,
         gives: Array,
         jump: Array,
@@ -100,7 +100,7 @@ class Sequence:
         """Add the outcome of the impacts to `jump` and `impulse`; for `gives` see `_allowed`."""
         if not self._places.are_of(contacts):
             self._places = _Places.of(contacts, self._turning)
-        points = self._places.points(contacts, pose)
+        points = self._places.points(contacts, positions)
         parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
         parting = parts.sum(axis=1)
         rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
@@ -113,7 +113,7 @@ class Sequence:
         touched = reached(points.bodies, struck, self._moving)
         near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
         points, parting, allowed = points.only(near), parting[near], allowed[near]
-        jacobian = points.over(len(pose))
+        jacobian = points.over(len(positions))
         response = jacobian * self._inverse_mass
         delassus = response.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
         a, b = points.bodies.T
@@ -187,10 +187,10 @@ class _Places(NamedTuple):
         """Return whether contacts have the same pairs and numbers of points: the same arrays."""
         return contacts.bodies is self.pairs and contacts.touches is self.touches
 
-    def points(self, contacts: Contacts, pose: Array) -> _Points:
+    def points(self, contacts: Contacts, positions: Array) -> _Points:
         """Return the contact points, given the positions of the bodies, (n, 2) [m]."""
         at = contacts.points[self.pair, self.which]
-        arm = at[:, None] - pose[self.bodies]
+        arm = at[:, None] - positions[self.bodies]
         jacobian = pair_jacobian(arm, contacts.direction[self.pair])
         return _Points(self.bodies, jacobian, self.partner)
 

@@ -83,9 +83,18 @@ class DriftPart(NamedTuple):
     @classmethod
     def whole_drift(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
-        start, forces = (taken.start_velocity, taken.duration), (taken.forces, taken.active)
-        first = cls(taken.kick, drift, drift, *start, *forces, moved, taken.stages[:-1])
-        return first._replace(flat=taken.flat)
+        return cls(
+            kick=taken.kick,
+            time_left=drift,
+            drift=drift,
+            start_velocity=taken.start_velocity,
+            kick_duration=taken.duration,
+            forces=taken.forces,
+            active=taken.active,
+            velocity=moved,
+            stages=taken.stages[:-1],
+            flat=taken.flat,
+        )
 
     @property
     def constraint_acceleration(self) -> Array:
@@ -173,21 +182,21 @@ class CutDrift:
         """The drift in parts, for the rest of the step."""
         whole, led, duration = self.whole, self._led, self.whole.kick_duration
         change = duration * (self.laws + led.constraint_acceleration)
-        left = self._moving((led.start_velocity + change)[self._places])
-        lead = Stage.of(led.kick, duration, left, duration * led.forces)
+        after = self._moving((led.start_velocity + change)[self._places])
+        lead = Stage.of(led.kick, duration, after, duration * led.forces)
         kept, back = self._taken_back()
         stages = [(part.kick, stage) for part in self.parts[1:] for stage in self._stages(part)]
         between = (self.parts[0].kick, self._given_less()), *stages, (kept, back)
-        lifted = self._excess_energy(left, [stage for _, stage in between])
+        excess_energy = self._excess_energy(after, [stage for _, stage in between])
         return DividedDrift(
-            left,
+            after,
             back.velocity,
             self.reached,
             (*whole.stages, lead),
             tuple(self._kick_record(kick, stage) for kick, stage in between),
             1.0,
             self._body_poses(self.parts[-1].end),
-            lifted,
+            excess_energy,
         )
 
     @property
@@ -233,11 +242,11 @@ class CutDrift:
         return (self.whole.drift - self.parts[-1].drift) / 2
 
     @cached_property
-    def _lasting(self) -> Array:
+    def _end_forces(self) -> Array:
         """(r,), the forces of its last part that are traced back [N]; see `_traced_forces`."""
         return _traced_forces(self.parts[-1], self.laws, self._missing, self.reached)
 
-    def _excess_energy(self, left: Array, stages: Sequence[Stage]) -> float:
+    def _excess_energy(self, after: Array, stages: Sequence[Stage]) -> float:
         """Return the excess of the energy in the middle of it, see `DividedDrift` [J].
 
         The work of constant laws is the change of their potential energy, on any path. The books
@@ -246,22 +255,23 @@ class CutDrift:
         m a² h² / 8 more energy on its parabola than in the middle of the chord. Bodies that rest,
         but whose forces are not traced back, are read as if they fell.
 
-        `left`, (n, 3), are the velocities after the whole kick before it [m/s, rad/s], and `stages`
+        `after`, (n, 3), are the velocities after the whole kick before it [m/s, rad/s]. `stages`
         are the kicks from there on, up to the velocities before the whole kick after it.
         """
         ended = [stage.velocity for stage in stages]
-        velocity_before, places = [left, *ended[:-1]], self._places
-        ways = np.zeros_like(left)
+        velocity_before, places = [after, *ended[:-1]], self._places
+        displacement = np.zeros_like(after)
         for stage, before in zip(stages, velocity_before, strict=True):
-            ways += stage.duration / 2 * (before + stage.velocity)
+            displacement += stage.duration / 2 * (before + stage.velocity)
         for part in self.parts:
-            ways -= part.drift * part.velocity[places]
+            displacement -= part.drift * part.velocity[places]
         whole, last = self.whole.drift, self.parts[-1]
-        ways += whole / 2 * (left + ended[-1])
-        unsure = ((_uncrowded_forces(last) - self._lasting) @ self._ended.response)[places]
-        ways -= (whole**2 - last.drift**2) / 8 * unsure
+        displacement += whole / 2 * (after + ended[-1])
+        untraced = _uncrowded_forces(last) - self._end_forces
+        unsure = (untraced @ self._ended.response)[places]
+        displacement -= (whole**2 - last.drift**2) / 8 * unsure
         inertia = inertia_of(self.whole.kick.joints.inverse)[places]
-        return float(np.sum((inertia * self.laws[places] * ways)[self.reached]))
+        return float(np.sum((inertia * self.laws[places] * displacement)[self.reached]))
 
     def _given_less(self) -> Stage:
         """Return the difference between the kick before it and a whole one."""
@@ -271,9 +281,10 @@ class CutDrift:
 
     def _taken_back(self) -> tuple[Kick, Stage]:
         """Return the excess of the whole kick after it, taken back, and its rows."""
-        last, kick, missing, forces = self.parts[-1], self._ended, self._missing, self._lasting
-        rates = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
-        return kick, Stage.of(kick, -missing, self._moving(rates[self._places]), -missing * forces)
+        last, kick, missing, forces = self.parts[-1], self._ended, self._missing, self._end_forces
+        velocity = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
+        end_velocity = self._moving(velocity[self._places])
+        return kick, Stage.of(kick, -missing, end_velocity, -missing * forces)
 
     def _stages(self, part: DriftPart) -> tuple[Stage, ...]:
         """Return the stages at the beginning of a part."""

@@ -147,8 +147,9 @@ def _in_sequence(kick: Kick, approach: Array) -> tuple[Array, list[Integers]]:
 def _through_joints(kick: Kick, response: Array) -> Array:
     """Return velocity changes, (k, 3 N), after bilateral joints have passed the impulses on."""
     free = kick.layout.problem.free
-    jacobian, active = kick.rows_at_start.jacobian[free], kick.response[free]
-    return response - np.linalg.solve(jacobian @ active.T, jacobian @ response.T).T @ active
+    jacobian, joint_response = kick.rows_at_start.jacobian[free], kick.response[free]
+    impulses = np.linalg.solve(jacobian @ joint_response.T, jacobian @ response.T)
+    return response - impulses.T @ joint_response
 
 
 def _largest(rebound: "_Rebound") -> float:

@@ -105,13 +105,13 @@ class ApproachingPairs:
 
     def meet(self, path: Path, duration: float, pairs: Iterable[Pair]) -> list[Hit]:
         """Return the impacts of pairs of bodies on a path of length `duration` [s]."""
-        gives = np.stack((path.acceleration * duration,) * 2)
+        velocity_changes = np.stack((path.acceleration * duration,) * 2)
         hits = []
         for a, b in pairs:
             if self._hollows.pairs[a, b]:
-                hits += self._hollows.meet(path, duration, (a, b), gives)
+                hits += self._hollows.meet(path, duration, (a, b), velocity_changes)
         for both in self._unsure(path, duration, pairs):
-            if hit := meet(path, *both, 0.0, duration, gives):
+            if hit := meet(path, *both, 0.0, duration, velocity_changes):
                 hits.append(hit)
         return hits
 

@@ -155,12 +155,12 @@ class HollowPairs:
         pieces = [shape.piece for shape in self._shapes[other] if shape.piece.corner is None]
         return min(_distance(points, piece) for piece in pieces) - line.near
 
-    def meet(self, path: Path, duration: float, pair: Pair, gives: Array) -> list[Hit]:
+    def meet(self, path: Path, duration: float, pair: Pair, velocity_changes: Array) -> list[Hit]:
         """Return the impacts of two bodies on a path of some duration [s]; see `time_of_impact`.
 
         They are those of convex shapes, and the first ones from inside or with a curve.
         """
-        hits = [*self._convex(path, duration, pair, gives)]
+        hits = [*self._convex(path, duration, pair, velocity_changes)]
         for time in self._times(path, duration, pair):
             if traced := [*self._traced(path, time, pair)]:
                 return hits + traced
@@ -205,11 +205,13 @@ class HollowPairs:
             if both[0] and both[1] and verdict(one.piece, other.piece, *places) is True:
                 yield HollowCorner(pair, 0, trace_convex(both[0], both[1]))
 
-    def _convex(self, path: Path, duration: float, pair: Pair, gives: Array) -> Iterator[Hit]:
+    def _convex(
+        self, path: Path, duration: float, pair: Pair, velocity_changes: Array
+    ) -> Iterator[Hit]:
         """Yield the impacts of convex shapes, which are apart at the start."""
         for one, other in product(self._shapes[pair[0]], self._shapes[pair[1]]):
             if one.outline and other.outline:
-                hit = meet(path, one.outline, other.outline, 0.0, duration, gives)
+                hit = meet(path, one.outline, other.outline, 0.0, duration, velocity_changes)
                 if hit and hit.time:
                     places = _moved(path, pair, hit.time)
                     if verdict(one.piece, other.piece, *places) is True:

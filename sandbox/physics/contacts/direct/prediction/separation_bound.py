@@ -41,7 +41,7 @@ class Separation:
     """
 
     def __init__(self, shapes: ConvexParts, path: Path, duration: float) -> None:
-        self._shapes, self._path, self._lasts = shapes, path, duration
+        self._shapes, self._path, self._duration = shapes, path, duration
         self._here, self._there = (shapes.at(spread(path.pose_at(t))) for t in (0.0, duration))
         self._known: dict[int, _Motion] = {}
 
@@ -61,7 +61,8 @@ class Separation:
         if (known := self._known.get(body)) is None:
             vx, vy, spin = self._path.velocity[body].tolist()
             ax, ay, twist = self._path.acceleration[body].tolist()
-            fastest, reach = abs(spin) + abs(twist) * self._lasts, float(self._shapes.reach[body])
+            fastest = abs(spin) + abs(twist) * self._duration
+            reach = float(self._shapes.reach[body])
             known = _Motion(complex(vx, vy), complex(ax, ay), fastest, abs(twist), reach)
             self._known[body] = known
         return known
@@ -71,7 +72,7 @@ class Separation:
 
         For its acceleration relative to the side see `_turning` in `time_of_impact`.
         """
-        plane, duration = self._here.place.plane, self._lasts
+        plane, duration = self._here.place.plane, self._duration
         acceleration = abs(corner.acceleration - side.acceleration) + corner.bend
         goes = abs(corner.velocity - side.velocity) + corner.reach * corner.spin
         fastest = goes + acceleration * duration
@@ -81,11 +82,11 @@ class Separation:
 
     def _sag(self, curve: float) -> float:
         """Return the largest deviation of a path from its chord, given its acceleration [m]."""
-        return curve * self._lasts * self._lasts / 8 + CLEAR
+        return curve * self._duration * self._duration / 8 + CLEAR
 
 
 def spread(pose: Array) -> Coordinates:
-    """Return places of bodies, (n, 3), as coordinates, with the plane."""
+    """Return poses of bodies, (n, 3), as coordinates, with the plane."""
     values = np.zeros((len(pose) + 1, 3))
     values[:-1] = pose
     return Coordinates(np.concatenate((values[:, :2].ravel(), values[:, 2])))

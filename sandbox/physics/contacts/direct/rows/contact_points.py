@@ -1,4 +1,4 @@
-"""The contact points of a step, and the places of their rows in the Jacobian."""
+"""The contact points of a step, and the indices of their rows in the Jacobian."""
 
 from typing import NamedTuple
 

@@ -72,7 +72,7 @@ class Layout:
     `problem` has their kinds, and `islands` the same, island by island; `touching` has the points
     of the gaps and slips. `restitution`, (k,), are the coefficients of the gaps, and `in_sequence`
     tells whether their impacts come one after the other. `joints`, `gaps`, `slips` and `touch` are
-    their places among all rows; `touch` is gaps and slips together. `joined` are the gaps between
+    their indices among all rows; `touch` is gaps and slips together. `joined` are the gaps between
     bodies that also share a joint, and `ties` the rows of such joints.
     """
 
@@ -89,7 +89,7 @@ class Layout:
 
     @property
     def touch(self) -> slice:
-        """The places of gaps and slips among all rows."""
+        """The indices of gaps and slips among all rows."""
         return slice(self.gaps.start, None)
 
     def asking(self, problem: Problem) -> "Layout":
