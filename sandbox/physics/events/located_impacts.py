@@ -154,7 +154,7 @@ class ImpactLocator:
         return Cut(self.pre_kick_velocity - drifts, change)
 
     def _compare(
-        self, path: Path, accelerations: tuple[Array, Array], places: tuple[Array, Array]
+        self, path: Path, accelerations: tuple[Array, Array], poses: tuple[Array, Array]
     ) -> None:
         """Set the entries of the energy and momentum books for the middle of a drift.
 
@@ -165,7 +165,7 @@ class ImpactLocator:
         less = before * before - after * after
         self._reading_shift = float(np.sum(self._inertia * less)) * half * half / 2
         self._extra_momentum += self._added_momentum(path, self._dt, path.struck)
-        for acceleration, pose in zip((before, after), places, strict=True):
+        for acceleration, pose in zip((before, after), poses, strict=True):
             self._extra_momentum -= momentum(self._inertia * acceleration * half, pose)
 
     def _added_momentum(self, path: Path, t: float, bodies: Booleans) -> Array:

@@ -135,19 +135,20 @@ def entries_of(
     laws: Sequence[Law],
     inertia: Array,
     running: Array,
-    switched: float,
+    switching_energy: float,
     dt: float,
 ) -> EventEntries:
     """Return the entries for the books from a drift of several parts, of length dt [s].
 
     One part lies before the first event, and one after each event. The works and impulses are those
     of `laws`; `inertia`, (n, 3), has masses, masses and moments [kg, kg m²], `running`, (n, 2), are
-    the velocities of running surfaces [m/s], and `switched` is the jump of the stored energy [J].
+    the velocities of running surfaces [m/s], and `switching_energy` is the jump of the stored
+    energy [J].
     """
     first, last, half = parts[0], parts[-1], dt / 2
     end, (pose, velocity) = last.at(last.duration), last.state(last.duration)
-    begun = velocity - last.acceleration * half
-    before = last._replace(duration=half, pose=pose - velocity * half, velocity=begun)
+    pre_kick_velocity = velocity - last.acceleration * half
+    before = last._replace(duration=half, pose=pose - velocity * half, velocity=pre_kick_velocity)
     full = (_Share(1.0, p, p.at(p.force_delay), p.at(p.duration / 2)) for p in parts)
     every = (
         *full,
@@ -160,7 +161,7 @@ def entries_of(
 
     works = [work(law) - (work(replace(law, damping=0.0)) if damps(law) else 0.0) for law in laws]
     momenta = [sum((share.push(law, inertia) for share in every), np.zeros(3)) for law in laws]
-    given = sum((share.given(inertia) for share in every), np.zeros(3))
+    total = sum((share.total_momentum(inertia) for share in every), np.zeros(3))
     storing = [law for law in laws if law.effect.book == "potential"]
 
     def raised(part: Part) -> float:
@@ -170,18 +171,21 @@ def entries_of(
     shift = (raised(first) - raised(last)) * half * half / 2
     halves = first._replace(duration=half).phase, before.phase
     works_beyond = friction_work_beyond([part.phase for part in parts], halves, inertia, running)
-    entries = EventEntries(begun, switched, works, momenta, given, shift)
+    entries = EventEntries(pre_kick_velocity, switching_energy, works, momenta, total, shift)
     return entries._replace(friction_work=works_beyond[0], belt_works=works_beyond[1])
 
 
-def entries_at_step(begun: Array, laws: Sequence[Law], switched: float) -> EventEntries:
+def entries_at_step(
+    pre_kick_velocity: Array, laws: Sequence[Law], switching_energy: float
+) -> EventEntries:
     """Return the entries for the books if all events happened at the step before a drift.
 
-    `begun`, (n, 3), are the velocities after the events [m/s, rad/s], and `switched` is the jump of
-    the stored energy [J]. No law has done any work yet.
+    `pre_kick_velocity`, (n, 3), are the velocities after the events [m/s, rad/s], and
+    `switching_energy` is the jump of the stored energy [J]. No law has done any work yet.
     """
     nothing = np.zeros(3)
-    return EventEntries(begun, switched, [0.0] * len(laws), [nothing] * len(laws), nothing, 0.0)
+    works, momenta = [0.0] * len(laws), [nothing] * len(laws)
+    return EventEntries(pre_kick_velocity, switching_energy, works, momenta, nothing, 0.0)
 
 
 class _Share(NamedTuple):
@@ -194,20 +198,20 @@ class _Share(NamedTuple):
 
     sign: float
     part: Part
-    cause: Instant
+    force_motion: Instant
     middle: Instant
 
     def work(self, law: Law, inertia: Array) -> float:
         """Return the work of a law [J]."""
         part = self.part
-        way = part.velocity * part.duration + part.acceleration * (part.duration**2 / 2)
-        return self.sign * float(np.sum(_wrench(law, self.cause, inertia) * way))
+        displacement = part.velocity * part.duration + part.acceleration * (part.duration**2 / 2)
+        return self.sign * float(np.sum(_wrench(law, self.force_motion, inertia) * displacement))
 
     def push(self, law: Law, inertia: Array) -> Array:
         """Return the momentum and angular momentum from a law: (3,)."""
-        return self._about(_wrench(law, self.cause, inertia))
+        return self._about(_wrench(law, self.force_motion, inertia))
 
-    def given(self, inertia: Array) -> Array:
+    def total_momentum(self, inertia: Array) -> Array:
         """Return the momentum and angular momentum from all forces together: (3,)."""
         return self._about(inertia * self.part.acceleration)
 

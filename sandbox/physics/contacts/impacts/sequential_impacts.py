@@ -40,53 +40,46 @@ class Sequence:
         self._restitution, self._inverse_mass = restitution, inverse_mass
         self._moving: Booleans = inverse_mass[:, 0] > 0
         self._turning: Booleans = inverse_mass[:, 2] > 0
-        self._velocity_before = self._smooth = np.zeros_like(
-            inverse_mass
-        )  # velocities and accelerations
-        self._lasted = dt
+        self._velocity_before = self._law_acceleration = np.zeros_like(inverse_mass)
+        self._last_duration = dt
         self._before: partial[Array] | None = None  # constraint accelerations in the kick before
         self.last = ImpactOutcome.none(len(inverse_mass))
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and its impulses
         self._places = _Places.of(NO_CONTACTS, self._turning)
 
-    def collide(self, smooth: Array, *, start: bool) -> None:
+    def collide(self, law_acceleration: Array, *, start: bool) -> None:
         """Let touching bodies that approach collide, and change their velocities.
 
-        `smooth`, (n, 3), are the accelerations by gravity and force laws at the
+        `law_acceleration`, (n, 3), are the accelerations by gravity and force laws at the
         step [m/s², rad/s²]. `start` tells whether this is the first kick, of half a step, which
         begins with the velocities at its time. Raises `EndlessImpacts` if elastic bodies collide
         more often than can be followed.
         """
         state = self._batch.state()
+        last_kick = self._velocity_before, self._last_duration, self._law_acceleration
         velocity = begins = state[:, 3:]
         jump, impulse = np.zeros_like(begins), np.zeros(len(begins))
         contacts = self._batch.contacts()
         if len(contacts.bodies):
-            held = before = np.zeros_like(smooth)
+            held = before = np.zeros_like(law_acceleration)
             if not start:
-                held = _constraint_acceleration(
-                    begins, self._velocity_before, self._lasted, self._smooth
-                )
+                held = _constraint_acceleration(begins, *last_kick)
                 before = self._before() if self._before else held
-                velocity = begins + (smooth + held) * (self._dt / 2)
-            gives = np.array((smooth, smooth + held, smooth + before)) * self._dt
+                velocity = begins + (law_acceleration + held) * (self._dt / 2)
+            other = np.stack((np.zeros_like(held), held, before))  # by joints and contacts
+            gives = (law_acceleration + other) * self._dt
             self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
                 self._batch.set_velocity(begins + jump)
         self.last = ImpactOutcome(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
-        self._before = (
-            None
-            if start
-            else partial(
-                _constraint_acceleration, begins, self._velocity_before, self._lasted, self._smooth
-            )
-        )
-        self._velocity_before, self._smooth = begins + jump, smooth
-        self._lasted = self._dt / 2 if start else self._dt
+        self._before = None if start else partial(_constraint_acceleration, begins, *last_kick)
+        self._velocity_before, self._law_acceleration = begins + jump, law_acceleration
+        self._last_duration = self._dt / 2 if start else self._dt
 
-    def shift(self, jump: Array, change: Array) -> None:
+    def shift(self, jump: Array, acceleration_change: Array) -> None:
         """Add the impacts located in time since the last kick; see `located_impacts.Cut`."""
-        self._velocity_before = self._velocity_before + jump - change * self._lasted
+        unfelt = acceleration_change * self._last_duration
+        self._velocity_before = self._velocity_before + jump - unfelt
 
     def _exchange(
         self,

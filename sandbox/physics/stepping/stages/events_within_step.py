@@ -81,9 +81,9 @@ class EventStage:
         self._switched = 0.0
         self.start(scene.batch.velocity(), np.zeros_like(scene.inertia))
 
-    def start(self, begun: Array, acceleration: Array) -> None:
+    def start(self, velocity: Array, acceleration: Array) -> None:
         """Start from a motion: velocities and accelerations at its start, (n, 3) each."""
-        self._pre_kick_velocity = begun - acceleration * (self._dt / 2)
+        self._pre_kick_velocity = velocity - acceleration * (self._dt / 2)
         self._finder.begin()
 
     def pre_kick_velocity(self) -> Array:

@@ -197,7 +197,7 @@ class ApproachingPairs:
     def _gap(self, pair: Pair, here: PlacedParts) -> float:
         """Return a lower bound of the distance between two bodies [m]."""
         if self._hollows.pairs[pair]:
-            return self._hollows.gap(pair, here.place)
+            return self._hollows.gap(pair, here.pose)
         return self._shapes.gap(pair, here)
 
     def _is_let(self, pair: Pair, pose: Coordinates) -> bool:

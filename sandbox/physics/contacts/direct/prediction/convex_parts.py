@@ -142,7 +142,7 @@ class PlacedParts:
     """
 
     def __init__(self, parts: Sequence[Sequence[ConvexPart]], pose: Coordinates) -> None:
-        self._parts, self.place = parts, pose
+        self._parts, self.pose = parts, pose
         self._plane: list[complex] = pose.plane.tolist()
         self._turned: list[complex] = pose.turned.tolist()
         self._known: dict[Pair, ConvexPart] = {}
@@ -194,7 +194,7 @@ class ConvexParts:
             if abs(one.middle - other.middle) < one.radius + other.radius:
                 yield 0, 0
         else:
-            near = np.argwhere(self._between(pair, there.place) < 0)
+            near = np.argwhere(self._between(pair, there.pose) < 0)
             yield from ((int(first), int(second)) for first, second in near.tolist())
 
     def pairs(self, pair: Pair) -> Iterator[Pair]:
@@ -210,7 +210,7 @@ class ConvexParts:
         a, b = pair
         if self.single[a] and self.single[b]:
             return here.part(a, 0).gap(here.part(b, 0))
-        between, least = self._between(pair, here.place), inf
+        between, least = self._between(pair, here.pose), inf
         for at in np.argsort(between, axis=None):
             first, second = divmod(int(at), between.shape[1])
             if between[first, second] >= least:

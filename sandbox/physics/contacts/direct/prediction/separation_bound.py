@@ -72,7 +72,7 @@ class Separation:
 
         For its acceleration relative to the side see `_turning` in `time_of_impact`.
         """
-        plane, duration = self._here.place.plane, self._duration
+        plane, duration = self._here.pose.plane, self._duration
         acceleration = abs(corner.acceleration - side.acceleration) + corner.bend
         goes = abs(corner.velocity - side.velocity) + corner.reach * corner.spin
         fastest = goes + acceleration * duration

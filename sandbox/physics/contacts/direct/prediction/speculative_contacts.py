@@ -145,7 +145,7 @@ class SpeculativeContacts:
         to the overlap that is left alone.
         """
         if self._hollows.pairs[pair]:
-            yield from self._hollows.corners(pair, here.place, there.place)
+            yield from self._hollows.corners(pair, here.pose, there.pose)
             return
         for parts in self._shapes.close(pair, there):
             for down in within(there.both(pair, parts)):
