@@ -37,7 +37,7 @@ def install() -> None:
 
 
 def insist() -> None:
-    """Exit if a signal has come that something has turned into another error, as pydantic does."""
+    """Exit if a signal has come whose exit was lost: pydantic makes another error of it."""
     if _asked:
         sys.exit(STATUS + _asked[-1])
 

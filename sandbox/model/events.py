@@ -238,9 +238,9 @@ def rebounding_stops(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Fractio
 
 
 def stops_without_rebound(joints: Mapping[str, Joint], events: Mapping[str, Event]) -> list[str]:
-    """Return the ropes and stops that do not rebound, if others do; not those that are tied later.
+    """Return the ropes and stops that do not rebound if other stops do, but not those tied later.
 
-    Both may be reached within the same step, so both are located in the same way.
+    Both kinds may be reached within the same step, so both are located.
     """
     others = {name for name, _ in rebounding_stops(joints)}
     if not others:

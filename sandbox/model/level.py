@@ -153,7 +153,10 @@ class Stepping(Model):
 
     @property
     def is_stock(self) -> bool:
-        """Whether a run starts without half a kick, so that velocities lag by half a step."""
+        """Whether the scheme is one of Euler's.
+
+        Such a run starts without leapfrog's half kick, so its velocities are half a step late.
+        """
         return self.scheme in ("symplectic-euler", "explicit-euler")
 
     @property

@@ -243,7 +243,7 @@ def _other_schemes(level: Level, values: Values) -> Iterator[Finding]:
 
 
 def _reference_rank(refinement: Refinement) -> tuple[bool, float]:
-    """Return a key that ranks a worse reference higher: pymunk's impacts agree by chance."""
+    """Return a key by which to sort, best first; stock pymunk's impacts agree only by chance."""
     last = refinement.traces[-1]
     naive = last.stepping.is_stock and last.level.effects.contact is not None
     return naive, refinement.errors[-1]

@@ -29,8 +29,8 @@ class Result:
     unit: str
     """The unit of the measured and the expected value."""
     t: float | None
-    """The time at which the two differed most, or the time of the event [s]; None without either. A
-    contact so late in the run that nothing could be measured after it has a time alone."""
+    """The time at which the two differed most, or the time of the event [s]; None without either.
+    Of a contact too late in the run to measure anything after it, only the time is known."""
     measured: float | None
     expected: float | None
     """The two values at that time; None if there are none."""

@@ -49,7 +49,7 @@ class Setup(NamedTuple):
 
     @property
     def leapfrog(self) -> bool:
-        """Whether velocities are half a step from positions; else it is stock pymunk."""
+        """Whether velocities are staggered by half a step on purpose; not with Euler's schemes."""
         return not self.stepping.is_stock
 
 

@@ -21,9 +21,9 @@ BRIEF = 1e-3
 so short a time, rounding of gaps may require velocities that contradict each other."""
 
 SHORT = 0.1
-"""If the last part is shorter than this share of the drift, the forces that outlast it are solved
-for a whole drift: those of a short part follow from small differences of positions, which rounding
-spoils."""
+"""If the last part is shorter than this share of the drift, the forces that go on in the next step
+are solved again, as for a whole drift. In a short part they follow from small differences of
+positions, which rounding spoils."""
 
 
 class PartSolver:
@@ -31,7 +31,8 @@ class PartSolver:
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
     at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
-    energy. `reached`, (n,), tells which bodies move in parts; all others go on as they were.
+    energy. `reached`, (n,), tells which bodies take part in landings, and so are solved in parts.
+    All others keep their motion and forces.
     """
 
     def __init__(self, laws: Array, until: float, *, driven: bool) -> None:

@@ -23,8 +23,8 @@ from sandbox.physics.geometry.root_finding import root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 
 SOON = 1e-6
-"""No kick is solved for a first part shorter than this share of the drift. A landing in the last
-such share of it is not located: it waits for the next drift."""
+"""No kick is solved for a first part shorter than this share of the drift. A landing within this
+share of the drift's end is left to the next drift."""
 
 BEYOND = 0.01
 """What supports a body after it passes the end of a side is looked up this share of the rest of the
@@ -52,11 +52,10 @@ class FirstMeeting(NamedTuple):
     """The first landing of a drift, or the first contacts that pass the end of a side.
 
     `time` is since the start of the drift [s]. `hits` are the impacts of bodies that did not touch
-    before; `corners` land on a side of a body that their own body already touches; `passing` are
-    the contacts that pass the end of a side, if nothing lands. `impact_pairs` are all pairs of
-    bodies with an impact in the drift, also after this one; `corner_pairs` are all pairs of which a
-    corner lands in it. `time_count` is the number of distinct times of the impacts of
-    `impact_pairs`.
+    before; `corners` are those that land on a body which their own body already touches elsewhere;
+    `passing` are the contacts that pass the end of a side, if nothing lands. `impact_pairs` are all
+    pairs that would collide in the whole drift, not only the first; `corner_pairs` are those of
+    which a corner lands in it. `time_count` is at how many different times pairs collide.
     """
 
     time: float
@@ -144,10 +143,9 @@ class MeetingFinder:
     def beside(
         self, ended: DriftPart, velocity: Array, met: FirstMeeting, pairs: Sequence[Pair]
     ) -> Contacts:
-        """Return the contacts with bodies beside the ends of sides that others pass.
+        """Return the contacts that support bodies from where they slide past the end of a side.
 
-        These support them from there on. What approaches faster than force laws could cause in the
-        rest of the drift is left to land.
+        What approaches faster than force laws could cause in the rest of the drift is left to land.
 
         `ended` is the part of the drift up to there, with the kick there, `velocity`, (3 N,), are
         the velocities there [m/s, rad/s], and `met` is what passes. `pairs` are the bodies to

@@ -93,7 +93,7 @@ def solve_impacts(
     """Return the velocities after the impacts of a step, their impulses, and the pairs.
 
     Newton's law of restitution ignores friction, and can add energy with it (Kane and Levinson
-    1985). Also, wedged bodies do not always have impulses that separate them. In these cases the
+    1985). For wedged bodies there may be no impulses that separate them. In these cases the
     rebound is reduced to the largest share for which there are impulses that add no energy.
 
     `approach`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `active` see

@@ -31,7 +31,7 @@ class FalseContacts:
         self._same: Integers | None = None  # of the last step's contacts, if all were real
 
     def forget(self) -> None:
-        """Accept all contacts once: bodies were put elsewhere."""
+        """Accept all contacts of the next step, since bodies were put elsewhere."""
         self._pairs = self._same = None
 
     def without_false(
