@@ -85,7 +85,7 @@ def cards(stories: int = 5) -> Document:
         stepping={"rate": 4000, "iterations": 10},
         duration=1,
         checks=[
-            check(f"{top}.position.y", house[top]["position"][1], 0.005, "height of the top box")
+            check(f"{top}.position.y", house[top]["position"][1], 0.005, "height of a top card")
         ],
         view={"center": [0, base / 2], "width": 2.4 * base},
     )
