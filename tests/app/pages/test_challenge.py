@@ -18,6 +18,10 @@ LEVEL = "challenges/stop-dead"
 
 def play_to_the_end(person: Person) -> None:
     person.press(pygame.K_SPACE, " ")
+    wait_for_the_end(person)
+
+
+def wait_for_the_end(person: Person) -> None:
     while person.session.playing:
         person.wait()
     person.wait(0.2)
@@ -121,7 +125,7 @@ def test_a_run_from_a_file_earns_no_stars(person: Person, tmp_path: Path) -> Non
     runfile.save(runfile.run_of(person.session), path)
 
     person.window.open_level(str(path))
-    play_to_the_end(person)
+    wait_for_the_end(person)
 
     attempt = person.session.attempt()
     assert attempt is not None

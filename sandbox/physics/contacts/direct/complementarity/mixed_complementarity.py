@@ -10,7 +10,7 @@ mass (the Delassus operator). Three kinds of rows ask for
 with b = mu (x of its contact). For a given set of active rows this is a linear system, solved
 exactly. The set is taken from the step before and updated until every condition holds (a
 primal-dual active set method: Hintermüller, Ito and Kunisch 2003; for contact problems Alart and
-Curnier 1991). Where the updates cycle, damped ones follow, and at last Lemke's method.
+Curnier 1991). Where the updates cycle, Lemke's method takes over.
 
 Rows may be redundant, as at the feet of a welded table: their forces are then not unique, only
 their resultants. The smallest forces that contacts can give are taken.
@@ -23,7 +23,6 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.active_set_update import ActiveSetResult
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active, Problem
-from sandbox.physics.contacts.direct.complementarity.damped_active_set import damped
 from sandbox.physics.contacts.direct.complementarity.friction_bounds import FrictionBounds
 from sandbox.physics.contacts.direct.complementarity.linear_complementarity import FAINT, by_lemke
 from sandbox.physics.contacts.direct.complementarity.redundant_systems import (
@@ -145,9 +144,6 @@ class _Scaled:
     def solve(self, active: Active) -> tuple[Array, Active]:
         """Return the impulses and the active rows."""
         impulse, found = self.mend(active)
-        if found is None and not self._settled:
-            near = damped(self._problem, self._delassus, self._rate, self._friction, active)
-            impulse, found = (impulse, None) if near is None else self.mend(near)
         if found is None:
             impulse, found = self.mend(self._resting())
         return (impulse, found) if found is not None else self._by_lemke()
