@@ -83,18 +83,9 @@ class DriftPart(NamedTuple):
     @classmethod
     def whole_drift(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
-        return cls(
-            kick=taken.kick,
-            time_left=drift,
-            drift=drift,
-            start_velocity=taken.start_velocity,
-            kick_duration=taken.duration,
-            forces=taken.forces,
-            active=taken.active,
-            velocity=moved,
-            stages=taken.stages[:-1],
-            flat=taken.flat,
-        )
+        start, solution = (taken.start_velocity, taken.duration), (taken.forces, taken.active)
+        first = cls(taken.kick, drift, drift, *start, *solution, moved, taken.stages[:-1])
+        return first._replace(flat=taken.flat)
 
     @property
     def constraint_acceleration(self) -> Array:
@@ -267,9 +258,8 @@ class CutDrift:
             displacement -= part.drift * part.velocity[places]
         whole, last = self.whole.drift, self.parts[-1]
         displacement += whole / 2 * (after + ended[-1])
-        untraced = _uncrowded_forces(last) - self._end_forces
-        unsure = (untraced @ self._ended.response)[places]
-        displacement -= (whole**2 - last.drift**2) / 8 * unsure
+        free = ((_uncrowded_forces(last) - self._end_forces) @ self._ended.response)[places]
+        displacement -= (whole**2 - last.drift**2) / 8 * free
         inertia = inertia_of(self.whole.kick.joints.inverse)[places]
         return float(np.sum((inertia * self.laws[places] * displacement)[self.reached]))
 
@@ -282,9 +272,8 @@ class CutDrift:
     def _taken_back(self) -> tuple[Kick, Stage]:
         """Return the excess of the whole kick after it, taken back, and its rows."""
         last, kick, missing, forces = self.parts[-1], self._ended, self._missing, self._end_forces
-        velocity = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
-        end_velocity = self._moving(velocity[self._places])
-        return kick, Stage.of(kick, -missing, end_velocity, -missing * forces)
+        end = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
+        return kick, Stage.of(kick, -missing, self._moving(end[self._places]), -missing * forces)
 
     def _stages(self, part: DriftPart) -> tuple[Stage, ...]:
         """Return the stages at the beginning of a part."""
