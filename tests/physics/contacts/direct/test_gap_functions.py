@@ -5,7 +5,6 @@ import pytest
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.joints.exact.joint_system import Course
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, fixed, level
 
@@ -48,9 +47,7 @@ def test_each_point_of_two_sides_has_its_own_side(names: tuple[str, str], leans:
     off = (complex(kick.pose.plane[upper]) - CORNER) * (np.exp(1j * leans) - 1)
     place[[2 * upper, 2 * upper + 1, angle]] += off.real, off.imag, leans  # its corner comes down
     there = Coordinates(place)
-    kick = direct._build.rebuilt(
-        there, kick.contacts_at(there), Course(kick.lengths_before, kick.lengths_after, kick.t)
-    )
+    kick = direct._build.rebuilt(there, kick.contacts_at(there), kick.course)
     way = np.zeros_like(place)
     way[2 * upper], way[angle] = 0.05, 0.1
 

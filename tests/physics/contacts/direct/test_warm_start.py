@@ -10,7 +10,6 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solver import DirectSolver
 from sandbox.physics.contacts.direct.solving.warm_start import recalled
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.joints.exact.joint_system import Course
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, fixed, level
 
@@ -73,9 +72,8 @@ def test_contacts_keep_their_forces_where_their_bodies_change_places(
     assert taken
     assert (taken.kick.contacts.touches == 2).all()
     builder, old = direct._build, taken.kick
-    course = Course(old.lengths_before, old.lengths_after, old.t)
 
-    new = builder.rebuilt(old.pose, change(old.contacts), course)
+    new = builder.rebuilt(old.pose, change(old.contacts), old.course)
     forces, active = recalled(old, taken.forces, taken.active, new)
 
     for body in (1, 2):

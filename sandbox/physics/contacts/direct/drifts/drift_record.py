@@ -51,11 +51,8 @@ class Drifts:
 
     def take_back(self) -> None:
         """Go back to before the last `begin`, since its kick is solved again."""
-        self.drift_after, self._mean_velocity_after, self._landings_after = (
-            self.drift_before,
-            self.mean_velocity_before,
-            self.landings,
-        )
+        self.drift_after, self._landings_after = self.drift_before, self.landings
+        self._mean_velocity_after = self.mean_velocity_before
 
     def forget(self) -> None:
         """Forget the drift after the last kick: bodies were put elsewhere, or joints changed."""
@@ -64,11 +61,8 @@ class Drifts:
 
     def divide(self, divided: DividedDrift, mean: Array) -> None:
         """Record that the drift after the kick is taken in parts, with mean velocities, (n, 3)."""
-        self.drift_after, self.post_kick_velocity, self._mean_velocity_after = (
-            divided,
-            divided.post_kick_velocity,
-            mean,
-        )
+        self.drift_after, self._mean_velocity_after = divided, mean
+        self.post_kick_velocity = divided.post_kick_velocity
 
     def land(self, landings: LandingRecord) -> None:
         """Record the landings in the drift after the kick."""

@@ -131,8 +131,7 @@ class KickBuilder:
             first_ends = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
             layout = layout.at_ends(np.pad(first_ends, ((0, 0), (0, len(ahead.bodies)))))
         running, closes = self._surfaces.running, kick.closing_count + len(ahead.bodies)
-        course = Course(kick.lengths_before, kick.lengths_after, kick.t)
-        return Kick.at(kick.pose, self._joints, contacts, layout, running, course, closes)
+        return Kick.at(kick.pose, self._joints, contacts, layout, running, kick.course, closes)
 
     def rebuilt(
         self,

@@ -52,10 +52,8 @@ class Kick:
         (r, 3 N), the velocity changes by a unit impulse of each row: J M⁻¹.
     belt_slip
         (f,), the slip velocities of running surfaces, such as belts [m/s].
-    lengths_before, lengths_after
-        (m,), the lengths that joints keep before and after the drift [m, rad].
-    t
-        The time of the kick [s].
+    course
+        The lengths that joints keep before and after the drift, and the time of the kick.
     closing_count
         How many of the contacts, the last ones, are still open, and close within the drift.
     """
@@ -68,9 +66,7 @@ class Kick:
     rows_at_start: Rows
     response: Array
     belt_slip: Array
-    lengths_before: Array
-    lengths_after: Array
-    t: float
+    course: Course
     closing_count: int = 0
 
     @classmethod
@@ -102,7 +98,7 @@ class Kick:
             here,
             response,
             runs,
-            *course,
+            course,
             closing_count=closes,
         )
 
@@ -170,7 +166,7 @@ class Kick:
 
     def before_drift(self, course: Course) -> "Kick":
         """Return the same before a drift between other lengths of the joints."""
-        return replace(self, lengths_before=course.before, lengths_after=course.after, t=course.t)
+        return replace(self, course=course)
 
     def with_tilt_friction(self, velocity: Array, forces: Array) -> "Kick | None":
         """Return the system with the friction of tilting sides at the point that bears the load.
@@ -215,7 +211,7 @@ class Kick:
     def targets(self) -> Array:
         """Return the target values of the rows after the drift: (r,)."""
         wanted = self.rows_at_start.total.copy()
-        wanted[self.layout.joints] = -self.lengths_after
+        wanted[self.layout.joints] = -self.course.after
         wanted[self.layout.slips] -= self.joints.drift * self.belt_slip
         if self.closing_count:
             closed = self.contacts.depths.take(self.layout.touching.number) - PROUD
@@ -233,7 +229,7 @@ class Kick:
     @property
     def slack(self) -> Booleans:
         """Which one-sided joints are slack, or not reached: (m,)."""
-        gap = self.rows_at_start.total[self.layout.joints] + self.lengths_before
+        gap = self.rows_at_start.total[self.layout.joints] + self.course.before
         return np.asarray(self.joints.pulls_only & (gap > TAUT + QUADRATIC))
 
     @cached_property
@@ -249,7 +245,7 @@ class Kick:
 
     def joint_rates(self) -> Array:
         """Return the mean rates of the lengths that joints keep in the drift: (m,) [m/s, rad/s]."""
-        return np.asarray((self.lengths_after - self.lengths_before) / self.joints.drift)
+        return np.asarray((self.course.after - self.course.before) / self.joints.drift)
 
     def rates_now(self) -> Array:
         """Return the rates of these lengths at the time of the kick: (m,) [m/s, rad/s].
@@ -257,7 +253,7 @@ class Kick:
         An impact is at that instant: with the mean rates of the drift after it, what a motor of
         changing rate drives would bounce with an error of first order.
         """
-        return self.joints.equations.rates(self.t)
+        return self.joints.equations.rates(self.course.t)
 
     def wrenches(self, impulse: Array, body: int) -> Array:
         """Return the impulses on a body by each contact: (2, k, 3) [N s, N m s].
