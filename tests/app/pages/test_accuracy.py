@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import get_args
 
 import pygame
 import pytest
@@ -14,6 +15,7 @@ from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
+from sandbox.model.level import Scheme
 from sandbox.physics.accuracy import accuracy_study, calibration_cache
 from sandbox.physics.accuracy.accuracy_study import CurrentSetting, WorkPrecisionPoint
 from sandbox.physics.accuracy.trusted_digits import certain_digits
@@ -50,6 +52,23 @@ def informed(player: Person) -> Person:
     studying.points.append(WorkPrecisionPoint("leapfrog", 60, 1e-4, 1e-3))
     until(player, lambda: studying.here is not None and not studying.running)
     return player
+
+
+def test_the_legend_below_the_diagram_has_room_for_all_schemes(player: Person) -> None:
+    """The last two, of sixth and eighth order, were drawn in the diagram but cut off below it."""
+    page, colors = player.page(AccuracyPage), work_precision_diagram.colors()
+    points = [WorkPrecisionPoint(scheme, 60, 1e-4, 1e-3) for scheme in get_args(Scheme)]
+    assert {point.scheme for point in points} == colors.keys()
+
+    legend = work_precision_diagram.legend(page._sheet.pen, page._sheet.width, points)
+    page._studying.points = points
+    drawn = page._drawn()
+    foot = drawn.subsurface((0, drawn.height - legend.height, *legend.size))
+
+    pixels = pygame.surfarray.array3d(foot)
+    assert (pixels == pygame.surfarray.array3d(legend)).all()
+    assert all((pixels == color).all(axis=2).any() for color in colors.values())
+    assert page._diagram.image.get_height() == drawn.height
 
 
 @pytest.mark.sweep

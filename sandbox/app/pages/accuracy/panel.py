@@ -119,7 +119,7 @@ class AccuracyPage:
         card.y += chart.height + 3
         legend = work_precision_diagram.legend(pen, width, studying.points)
         card.put(legend, 0)
-        card.y += 2 * (pen.height(12) + 1)
+        card.y += legend.height
         return card.drawn()
 
     def _drawn_status(self) -> pygame.Surface:

@@ -108,10 +108,10 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> Non
 
 
 def legend(pen: Pen, width: int, points: Sequence[WorkPrecisionPoint]) -> pygame.Surface:
-    """Draw the legend of the schemes, two in a row."""
+    """Draw the legend of the schemes, two in a row, with room for all."""
     schemes = list(dict.fromkeys(point.scheme for point in points))
     height = pen.height(12) + 1
-    surface = pygame.Surface((width, max((len(schemes) + 1) // 2, 1) * height))
+    surface = pygame.Surface((width, (len(colors()) + 1) // 2 * height))
     surface.fill(theme.PANEL)
     for i, scheme in enumerate(schemes):
         x, y = (i % 2) * width // 2, (i // 2) * height
