@@ -1,6 +1,7 @@
 """A drawn level is made a challenge with the mouse."""
 
 import pygame
+from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.goals import attempt
@@ -65,3 +66,16 @@ def test_a_challenge_needs_something_to_change(builder: Builder) -> None:
 
     assert "challenge" not in builder.document
     assert "make a number a parameter" in str(builder.person.window.banner._note)
+
+
+def test_a_button_acts_on_the_level_as_a_key_before_it_left_that(builder: Builder) -> None:
+    """The key and the click come before the page is drawn again."""
+    button = builder.page.button("Add a challenge")
+    builder.editor.work.select([("bodies", "left")])
+    pygame.event.post(pygame.Event(pygame.KEYDOWN, key=pygame.K_DELETE, unicode="", mod=0))
+    pygame.event.post(pygame.Event(UI_BUTTON_PRESSED, ui_element=button))
+    builder.person.wait(0.1)
+
+    assert list(builder.document["bodies"]) == ["right"]
+    (goal,) = builder.document["challenge"]["goals"]
+    assert goal["quantity"] == "right.position.x"

@@ -1,7 +1,7 @@
 """The page Build: the tools, the pending decisions, and the fields."""
 
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import TYPE_CHECKING
 
 import pygame
@@ -46,6 +46,7 @@ class BuildPage:
         self._offered: dict[json_positions.Path, list[str]] = {}
         self._refused: dict[json_positions.Path, str] = {}
         self._selected: object = None
+        self._version: object = None
         self._shape: object = None
         sheet.typed = self
         self._editor.complete = self.complete
@@ -89,9 +90,19 @@ class BuildPage:
         act = next((act for button, act in self._acts if button is element), None)
         if act is not None:
             self._editor.trying.look(self._session)
-            act.do()
+            self._at_present(act)()
             return True
         return self.palette.press(element) or self.inspector.turn(element)
+
+    def _at_present(self, act: ButtonAction) -> Callable[[], object]:
+        """Return what an action does to the present level.
+
+        A key may have changed the level since the page was drawn, and removed what the action is
+        about: then it does nothing.
+        """
+        if self._version is not self._editor.bench.version:
+            self.update()
+        return next((new.do for _, new in self._acts if new.caption == act.caption), lambda: None)
 
     def _choose(self, line: Line, element: object) -> None:
         if element is line.slider:
@@ -159,7 +170,7 @@ class BuildPage:
     def update(self) -> None:
         """Update the page, with new widgets only if needed."""
         bench = self._editor.bench
-        selected = bench, bench.selected
+        self._version, selected = bench.version, (bench, bench.selected)
         another, self._selected = selected != self._selected, selected
         if another:
             self._refused.clear()
