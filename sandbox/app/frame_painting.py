@@ -2,7 +2,6 @@
 
 import pygame
 
-from sandbox.app import run_legend
 from sandbox.app.drawing import theme
 from sandbox.app.measuring import trail_probe
 from sandbox.app.observing.earlier_runs import alike
@@ -10,6 +9,7 @@ from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import stage_messages
 from sandbox.app.runs.session import Session
+from sandbox.app.stage import run_legend
 from sandbox.app.workspace import Workspace
 
 

@@ -106,7 +106,7 @@ def fit(asked: ExperimentRequest, names: Sequence[str], data: Path | None, outpu
     with needed_for("a fit", "experiment"):
         from sandbox.experiments import fit_report
         from sandbox.experiments import measured_data as measured
-        from sandbox.experiments.fitting import fit
+        from sandbox.experiments.parameter_estimation import fit
     source, level = argument_parsing.open_level(asked.argument)
     values = choose(level, argument_parsing.settings(asked.set))
     choice = Choice(asked.others.get("rate"), asked.others.get("scheme"))

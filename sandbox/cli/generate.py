@@ -7,7 +7,7 @@ import typer
 from sandbox.model.file_writing import check_writable, write_atomically
 from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 
 
 def generate(kind: str, bodies: int, output: Path) -> None:

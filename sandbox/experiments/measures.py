@@ -22,8 +22,8 @@ import numpy as np
 from sandbox.experiments.observables import Observable
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.events import MOST_MEETINGS
 from sandbox.model.expressions import Expression
+from sandbox.model.instants import MOST_MEETINGS
 from sandbox.model.level import (
     ApexEvent,
     Check,

@@ -15,7 +15,7 @@ from sandbox.editing import suggested_checks
 from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits import effects
 from sandbox.editing.edits.automatic_title import entitled
-from sandbox.editing.edits.checks import quantity_completions
+from sandbox.editing.edits.checks_and_ghosts import quantity_completions
 from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
 from sandbox.editing.edits.slope_angle_parameter import slope_of, tilt
 from sandbox.editing.renaming import rename

@@ -8,7 +8,7 @@ import pygame
 
 from sandbox.app.drawing import theme
 from sandbox.app.observing.earlier_runs import alike
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.view import View
 from sandbox.app.words import formatting

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from sandbox.app.drawing import theme
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values

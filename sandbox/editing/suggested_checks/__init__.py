@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 from sandbox.editing.cleanup_after_edit import without_meaning
-from sandbox.editing.edits.checks import add_checks
+from sandbox.editing.edits.checks_and_ghosts import add_checks
 from sandbox.editing.suggested_checks import (
     capstan,
     collision,

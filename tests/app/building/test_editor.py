@@ -6,7 +6,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.building.draft_recovery_choices import offers
+from sandbox.app.building.draft_and_version_choices import offers
 from sandbox.app.building.drafts import OFTEN
 from sandbox.app.building.editor import Editor
 from sandbox.app.window import Window

@@ -5,12 +5,12 @@ from itertools import combinations
 import pygame
 import pytest
 
-from sandbox.app import run_legend
 from sandbox.app.drawing import line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import energy_graph
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.race import scheme_comparison
+from sandbox.app.stage import run_legend
 from tests.app.person import Person
 from tests.app.scenes import falling
 

@@ -14,9 +14,9 @@ from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import name_in_words
 from sandbox.app.words.language import later, say
-from sandbox.editing.edits import joints
+from sandbox.editing.edits import joint_creation
 from sandbox.editing.edits.edit_result import EditResult
-from sandbox.editing.edits.joints import Pick
+from sandbox.editing.edits.joint_creation import Pick
 from sandbox.editing.foreseen_faults import Proposed
 from sandbox.model.joints import KINDS, Joint
 
@@ -109,7 +109,7 @@ class JoinTool(Tool):
 
     def _tie(self, places: Sequence[Pick]) -> Proposed[EditResult]:
         """Return the edit that makes the joint."""
-        edit = partial(joints.add_joint, kind=self.kind, chosen=tuple(places))
+        edit = partial(joint_creation.add_joint, kind=self.kind, chosen=tuple(places))
         return Proposed(edit, {place.body for place in places if place.body})
 
     def _with(self, spot: MousePosition) -> list[Pick]:

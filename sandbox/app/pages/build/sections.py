@@ -7,8 +7,8 @@ from typing import NamedTuple
 from sandbox.app.building import editable_fields, inspected_fields
 from sandbox.app.building.arrangement_actions import arrangements
 from sandbox.app.building.button_action import ButtonAction
-from sandbox.app.building.check_and_challenge_actions import stated
-from sandbox.app.building.draft_recovery_choices import offers
+from sandbox.app.building.check_challenge_and_event_actions import stated
+from sandbox.app.building.draft_and_version_choices import offers
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.effect_costs import said
 from sandbox.app.building.selected_part_actions import part_actions

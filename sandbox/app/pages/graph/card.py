@@ -12,7 +12,7 @@ from sandbox.app.drawing import line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.earlier_runs import alike
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot

@@ -25,11 +25,11 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
-from sandbox.physics.contacts.direct.drifts.drift_parts import CutDrift, DriftPart
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
 from sandbox.physics.contacts.direct.drifts.joint_catches import Pulls, caught
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
+from sandbox.physics.contacts.direct.drifts.subdrifts import CutDrift, Subdrift
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
 from sandbox.physics.contacts.direct.kicks.breaking_loose import with_breakaway
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
@@ -307,15 +307,15 @@ class DirectSolver:
         found = stopped(taken, crowded, look, build, lambda _, kick: solve_kick(kick, start, known))
         self._keep(found[0], start)
 
-    def _whole_drift(self, pose: Coordinates, moved: Array) -> DriftPart:
+    def _whole_drift(self, pose: Coordinates, moved: Array) -> Subdrift:
         """Return the drift after a kick as one part, with velocities (3 N,)."""
         dt, joints = self._dt, self._joints
         if self._taken:
-            return DriftPart.whole_drift(self._taken, dt, moved)
+            return Subdrift.whole_drift(self._taken, dt, moved)
         begun, taut = self._spread(self._pre_kick)[0], joints.expected()[1]
         held = Active(taut, np.zeros(0, dtype=np.intp))
         duration, kick = joints.kick, self._build.at(pose)
-        return DriftPart(kick, dt, dt, begun, duration, joints.tension, held, moved)
+        return Subdrift(kick, dt, dt, begun, duration, joints.tension, held, moved)
 
     def _beginning(self) -> KickStart:
         """Return the state and the forces at the beginning of this kick."""

@@ -13,7 +13,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Motion, Path
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.contacts.direct.prediction.separation_bound import spread
 from sandbox.physics.geometry.outline_distance import Outline, dot, gap
 
@@ -46,7 +46,7 @@ class _Ground(NamedTuple):
     point: complex
 
 
-def carries_on(part: DriftPart, path: Path, hit: Hit, shapes: Shapes) -> bool:
+def carries_on(part: Subdrift, path: Path, hit: Hit, shapes: Shapes) -> bool:
     """Return whether a hit is only the passage of a body onto a flush continuation of its support.
 
     `part` and `path` are a part of a drift, and the motion in it; `hit` is an impact in it.
@@ -72,7 +72,7 @@ def _goes_with(body: int, other: int, path: Path, hit: Hit, duration: float) -> 
     return way <= LEVEL
 
 
-def _grounds(part: DriftPart, pose: Array, guest: int, bodies: set[int]) -> Iterator[_Ground]:
+def _grounds(part: Subdrift, pose: Array, guest: int, bodies: set[int]) -> Iterator[_Ground]:
     """Yield the points of the surfaces of some bodies on which another one lies at a place."""
     there = part.kick.contacts_at(spread(pose))
     points = np.ascontiguousarray(there.points).view(complex)[..., 0] - part.kick.joints.origin

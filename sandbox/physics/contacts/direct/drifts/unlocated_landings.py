@@ -15,9 +15,9 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.physics.contacts.direct.complementarity.islands import islands
-from sandbox.physics.contacts.direct.drifts.drift_parts import around, movable
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingImpact
+from sandbox.physics.contacts.direct.drifts.subdrifts import around, movable
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.speculative_kicks import SolvedKick
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (

@@ -6,8 +6,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart, others_of
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift, others_of
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
@@ -26,7 +26,7 @@ are solved again, as for a whole drift. In a short part they follow from small d
 positions, which rounding spoils."""
 
 
-class PartSolver:
+class SubdriftSolver:
     """Solves parts of a drift; N bodies with the plane.
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
@@ -41,7 +41,7 @@ class PartSolver:
         self._order = order(count)
         self.reached: Booleans = np.zeros(count, dtype=bool)
 
-    def _solved(self, part: DriftPart, drift: float, duration: float) -> DriftPart:
+    def _solved(self, part: Subdrift, drift: float, duration: float) -> Subdrift:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.time_left
         joints.time(drift, drift)
@@ -73,7 +73,7 @@ class PartSolver:
             flat=flat,
         )
 
-    def _lasting(self, last: DriftPart, drift: float) -> DriftPart:
+    def _lasting(self, last: Subdrift, drift: float) -> Subdrift:
         """Return the last part with forces that last for a whole drift [s].
 
         If other rows would be active then, it keeps its own forces.
@@ -90,7 +90,7 @@ class PartSolver:
             else last
         )
 
-    def _shortened(self, part: DriftPart, drift: float, near: DriftPart) -> DriftPart:
+    def _shortened(self, part: Subdrift, drift: float, near: Subdrift) -> Subdrift:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
         duration = part.kick_duration - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
@@ -104,7 +104,7 @@ class PartSolver:
         return part._replace(drift=drift, kick_duration=duration, velocity=moved)
 
     def _arrived(
-        self, part: DriftPart, struck: Booleans, catching: Booleans | None = None
+        self, part: Subdrift, struck: Booleans, catching: Booleans | None = None
     ) -> tuple[Kick, Array, tuple[Stage, ...]]:
         """Return the end of a part, before any impact.
 

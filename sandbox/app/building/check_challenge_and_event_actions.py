@@ -9,7 +9,7 @@ from sandbox.app.words import level_translation
 from sandbox.app.words.language import say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.challenges import add_challenge, drop_challenge
-from sandbox.editing.edits.checks import add_checks, drop_check_or_ghost
+from sandbox.editing.edits.checks_and_ghosts import add_checks, drop_check_or_ghost
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 

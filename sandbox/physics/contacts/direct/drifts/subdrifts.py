@@ -38,7 +38,7 @@ JERKS = 1e-3
 """In a jerk, joints give or take at least this share of the kinetic energy."""
 
 
-class DriftPart(NamedTuple):
+class Subdrift(NamedTuple):
     """A part of a drift, and the kick before it; r rows, N bodies with the plane.
 
     Attributes
@@ -81,7 +81,7 @@ class DriftPart(NamedTuple):
     stopped_crowds: bool = False
 
     @classmethod
-    def whole_drift(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
+    def whole_drift(cls, taken: KickResult, drift: float, moved: Array) -> "Subdrift":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
         start, solution = (taken.start_velocity, taken.duration), (taken.forces, taken.active)
         first = cls(taken.kick, drift, drift, *start, *solution, moved, taken.stages[:-1])
@@ -139,7 +139,7 @@ def linked(kick: Kick, some: Booleans) -> Booleans:
     return reached
 
 
-def others_of(part: DriftPart, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
+def others_of(part: Subdrift, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
     """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
 
     Also the accelerations by the latter forces and by force laws, (3 N,).
@@ -162,8 +162,8 @@ class CutDrift:
     take part in the landings; `start`, (n, 3), are the positions at its start [m, rad].
     """
 
-    whole: DriftPart
-    parts: Sequence[DriftPart]
+    whole: Subdrift
+    parts: Sequence[Subdrift]
     laws: Array
     reached: Booleans
     start: Array
@@ -207,7 +207,7 @@ class CutDrift:
         return last.kick.at_pose(last.end)
 
     @cached_property
-    def _led(self) -> DriftPart:
+    def _led(self) -> Subdrift:
         """The part whose forces stand for the kick before the drift.
 
         It is the whole drift, without landings; but the first part if a rope becomes taut only
@@ -221,7 +221,7 @@ class CutDrift:
         jerks = abs(self._work(whole)) > abs(self._work(first)) + least
         return first if jerks or _catches(whole, first) else whole
 
-    def _work(self, part: DriftPart) -> float:
+    def _work(self, part: Subdrift) -> float:
         """Return the work of the joints in a whole kick before a part [J]."""
         duration, rows = self.whole.kick_duration, part.kick.layout.joints
         mean = part.start_velocity + duration / 2 * (self.laws + part.constraint_acceleration)
@@ -275,7 +275,7 @@ class CutDrift:
         end = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
         return kick, Stage.of(kick, -missing, self._moving(end[self._places]), -missing * forces)
 
-    def _stages(self, part: DriftPart) -> tuple[Stage, ...]:
+    def _stages(self, part: Subdrift) -> tuple[Stage, ...]:
         """Return the stages at the beginning of a part."""
         velocity, rest = part.velocity[self._places], part.forces * part.kick_duration
         return *part.stages, Stage.of(part.kick, part.kick_duration, velocity, rest)
@@ -298,14 +298,14 @@ class CutDrift:
         return self.start + displacement[self._places]
 
 
-def _catches(whole: DriftPart, first: DriftPart) -> bool:
+def _catches(whole: Subdrift, first: Subdrift) -> bool:
     """Return whether a rope becomes taut in a drift, but not before its first landing."""
     joints = whole.kick.layout.joints
     taut, taut_at_first = (part.forces[joints] > 0 for part in (whole, first))
     return bool((whole.kick.joints.pulls_only & taut & ~taut_at_first).any())
 
 
-def _uncrowded_forces(last: DriftPart) -> Array:
+def _uncrowded_forces(last: Subdrift) -> Array:
     """Return the forces of the last part in islands where no gaps of a crowd close: (r,) [N]."""
     kick, layout, forces = last.kick, last.kick.layout, last.later_forces
     closes = kick.ahead & (last.forces[layout.gaps] > 0)
@@ -319,7 +319,7 @@ def _uncrowded_forces(last: DriftPart) -> Array:
     return forces
 
 
-def _balanced(forces: Array, last: DriftPart, kick: Kick, missing: float) -> Array:
+def _balanced(forces: Array, last: Subdrift, kick: Kick, missing: float) -> Array:
     """Return the accelerations by forces of the last part, at its end: (3 N,) [m/s², rad/s²].
 
     `kick` has the rows there. Large forces cancel on a light body between heavy ones, but not with
@@ -335,7 +335,7 @@ def _balanced(forces: Array, last: DriftPart, kick: Kick, missing: float) -> Arr
     return np.where(unsure, then, there)
 
 
-def _traced_forces(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:
+def _traced_forces(last: Subdrift, laws: Array, missing: float, reached: Booleans) -> Array:
     """Return the forces of the last part that may stand for a whole kick after it: (r,).
 
     Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would give
