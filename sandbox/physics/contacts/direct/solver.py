@@ -43,8 +43,8 @@ from sandbox.physics.contacts.direct.solving.blocked_drives import is_blocked
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
-from sandbox.physics.joints.exact.joint_system import Course
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, coordinate_indices
+from sandbox.physics.joints.exact.joint_system import KeptLengths
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
@@ -74,7 +74,7 @@ class DirectSolver:
         self._fixed, self._none = np.flatnonzero(~self._moves), np.zeros(len(inertia), dtype=bool)
         self._meets = any(body.shapes for body in query.bodies)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
-        self._order = order(len(inertia))
+        self._order = coordinate_indices(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
         self._pre_kick = self._acceleration = self._change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
@@ -158,10 +158,10 @@ class DirectSolver:
         """Begin at a time, and not at the start [s]."""
         self._build.go_on(t)
 
-    def without_correction(self, course: Course) -> Kick:
-        """Return the system of all contacts and joints at present, before a drift of a course."""
+    def without_correction(self, kept_lengths: KeptLengths) -> Kick:
+        """Return the system of all contacts and joints at present, before a drift."""
         self.relay()
-        return self._build.without_correction(course)
+        return self._build.without_correction(kept_lengths)
 
     def relay(self) -> None:
         """Begin anew with other joints, at the present positions."""

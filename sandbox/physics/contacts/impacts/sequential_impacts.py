@@ -45,7 +45,7 @@ class Sequence:
         self._before: partial[Array] | None = None  # constraint accelerations in the kick before
         self.last = ImpactOutcome.none(len(inverse_mass))
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and its impulses
-        self._places = _Places.of(NO_CONTACTS, self._turning)
+        self._indices = _PointIndices.of(NO_CONTACTS, self._turning)
 
     def collide(self, law_acceleration: Array, *, start: bool) -> None:
         """Let touching bodies that approach collide, and change their velocities.
@@ -91,9 +91,9 @@ class Sequence:
         impulse: Array,
     ) -> None:
         """Add the outcome of the impacts to `jump` and `impulse`; for `gives` see `_allowed`."""
-        if not self._places.are_of(contacts):
-            self._places = _Places.of(contacts, self._turning)
-        points = self._places.points(contacts, positions)
+        if not self._indices.are_of(contacts):
+            self._indices = _PointIndices.of(contacts, self._turning)
+        points = self._indices.points(contacts, positions)
         parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
         parting = parts.sum(axis=1)
         rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
@@ -150,7 +150,7 @@ class _Points(NamedTuple):
         return over_bodies(self.jacobian, self.bodies, count)
 
 
-class _Places(NamedTuple):
+class _PointIndices(NamedTuple):
     """The indices of contact points; without rotation, one point of a side represents both.
 
     `pairs` and `touches` are the bodies of the contacts, and their numbers of contact points; see
@@ -166,7 +166,7 @@ class _Places(NamedTuple):
     partner: Integers
 
     @classmethod
-    def of(cls, contacts: Contacts, turning: Booleans) -> "_Places":
+    def of(cls, contacts: Contacts, turning: Booleans) -> "_PointIndices":
         """Return the indices for contacts, given the bodies that can rotate, (n,)."""
         pairs, touches, count = contacts.bodies, contacts.touches, len(contacts.bodies)
         two = np.flatnonzero((touches == 2) & turning[pairs].any(axis=1))

@@ -130,9 +130,9 @@ class Gates:
 
     def lets_pass_at(self, one: int, other: int, at: Placed, there: Placed) -> bool:
         """Return whether one of two bodies, by row, lets the other pass from given positions."""
-        for pair, places in (((one, other), (at, there)), ((other, one), (there, at))):
+        for pair, placements in (((one, other), (at, there)), ((other, one), (there, at))):
             if pair[0] in self._gates:
-                seen = self._side(pair, *places)
+                seen = self._side(pair, *placements)
                 if not (seen == self._gates[pair[0]].hand if seen else self._was_held(pair)):
                     return True
         return False

@@ -23,7 +23,7 @@ GROWS = 1.1
 except by the errors of long steps. Measured ratios are up to 1.06 for errors of second order, and
 4 and more where Newton's method found another solution."""
 
-PLACES = 4e-16
+POSITION_ROUNDING = 4e-16
 """The relative rounding error of positions, where velocities are computed from them."""
 
 
@@ -92,16 +92,16 @@ def kinetic_energy(inertia: Array, motion: Array) -> Array:
 def blur(pose: Array, drift: float) -> float:
     """Return the rounding error of velocities that follow from positions after a drift [m/s]."""
     sizes = np.abs(pose)
-    return PLACES * sizes.item(sizes.argmax()) / abs(drift)
+    return POSITION_ROUNDING * sizes.item(sizes.argmax()) / abs(drift)
 
 
 @cache
-def order(count: int) -> NDArray[np.intp]:
+def coordinate_indices(count: int) -> NDArray[np.intp]:
     """Return the indices of the coordinates of each body, without the plane: (n, 3)."""
     body = np.arange(count)
-    places = np.stack((2 * body, 2 * body + 1, 2 * (count + 1) + body), axis=1)
-    places.setflags(write=False)
-    return places
+    indices = np.stack((2 * body, 2 * body + 1, 2 * (count + 1) + body), axis=1)
+    indices.setflags(write=False)
+    return indices
 
 
 class Share(NamedTuple):

@@ -47,7 +47,7 @@ def test_each_point_of_two_sides_has_its_own_side(names: tuple[str, str], leans:
     off = (complex(kick.pose.plane[upper]) - CORNER) * (np.exp(1j * leans) - 1)
     place[[2 * upper, 2 * upper + 1, angle]] += off.real, off.imag, leans  # its corner comes down
     there = Coordinates(place)
-    kick = direct._build.rebuilt(there, kick.contacts_at(there), kick.course)
+    kick = direct._build.rebuilt(there, kick.contacts_at(there), kick.kept_lengths)
     way = np.zeros_like(place)
     way[2 * upper], way[angle] = 0.05, 0.1
 

@@ -276,10 +276,10 @@ class DriftCutter(SubdriftSolver):
             down = self._speculative.contacts(met.corners, pose, joints.origin, met.hits)
             near = [pair for pair in near if pair not in met.pairs]
         joints.time(left, left)
-        course = joints.course(self._until - left, self._until)
+        lengths = joints.kept_lengths(self._until - left, self._until)
         rest = self._meetings.overlapping(shorter, near)
         known = shorter.kick.contacts_at(pose).followed_by(rest)
-        kick = self._following(shorter, self._build.rebuilt(pose, known.followed_by(down), course))
+        kick = self._following(shorter, self._build.rebuilt(pose, known.followed_by(down), lengths))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self._add_bodies(around(kick, down.followed_by(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
@@ -300,14 +300,14 @@ class DriftCutter(SubdriftSolver):
         """Return the part after contacts pass the ends of sides, of length `left` [s]."""
         pose, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
         joints.time(left, left)
-        course = joints.course(self._until - left, self._until)
-        ended = shorter._replace(kick=shorter.kick.between(pose, course))
+        lengths = joints.kept_lengths(self._until - left, self._until)
+        ended = shorter._replace(kick=shorter.kick.between(pose, lengths))
         _, begun, stages = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
         beside = self._meetings.beside(ended, begun, met, near)
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(pose, [one.contact for one in met.passing])
         kick = self._build.rebuilt(
-            pose, known.followed_by(beside).followed_by(after), course, at_ends
+            pose, known.followed_by(beside).followed_by(after), lengths, at_ends
         )
         kick = self._following(shorter, kick)
         self._add_bodies(around(kick, beside.bodies.tolist()))

@@ -19,7 +19,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.joints.exact.joint_system import Course
+from sandbox.physics.joints.exact.joint_system import KeptLengths
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 PARTS = (2, 4, 8, 16, 32)
@@ -155,9 +155,11 @@ def through(
     lost: JointFailure | NoForces | None = None
     for parts in PARTS:
         times = until - whole + whole * np.arange(parts + 1) / parts
-        courses = [joints.course(*drift) for drift in pairwise(times.tolist())]
+        kept_lengths_by_part = [joints.kept_lengths(*drift) for drift in pairwise(times.tolist())]
         try:
-            return _in_parts(kick, acceleration, courses, take, placed=parts < PARTS[-1])
+            return _in_parts(
+                kick, acceleration, kept_lengths_by_part, take, placed=parts < PARTS[-1]
+            )
         except (JointFailure, NoForces) as error:
             lost = error
         finally:
@@ -169,22 +171,22 @@ def through(
 def _in_parts(
     kick: Kick,
     acceleration: Array,
-    courses: Sequence[Course],
+    kept_lengths_by_part: Sequence[KeptLengths],
     take: Callable[..., KickResult],
     *,
     placed: bool,
 ) -> SolvedDrift:
     """Return the drift, given the joints' lengths in its parts."""
     joints, whole = kick.joints, kick.joints.drift
-    drift = whole / len(courses)
+    drift = whole / len(kept_lengths_by_part)
     missing = (whole - drift) / 2  # of the length of the kicks before and after
     joints.time(whole - missing, drift)
-    first = take(kick.before_drift(courses[0]), placed=placed)
+    first = take(kick.before_drift(kept_lengths_by_part[0]), placed=placed)
     moved, forces, active = first.velocity, first.forces, first.active
     joints.time(drift, drift)
     pose, inner = Coordinates(kick.pose.values + drift * moved), []
-    for course in courses[1:]:
-        now = kick.between(pose, course)
+    for kept_lengths in kept_lengths_by_part[1:]:
+        now = kick.between(pose, kept_lengths)
         motion = moved + drift * acceleration
         impulse, moved, active, _ = hold(
             now, motion, (drift * forces, active), driven=False, placed=placed

@@ -20,7 +20,7 @@ from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
 )
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.geometry.root_finding import root
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, coordinate_indices
 
 SOON = 1e-6
 """No kick is solved for a first part shorter than this share of the drift. A landing within this
@@ -89,7 +89,7 @@ class MeetingFinder:
 
     def __init__(self, speculative: SpeculativeContacts, laws: Array) -> None:
         self._speculative, self._laws = speculative, laws
-        self._order = order(len(laws) // 3 - 1)
+        self._order = coordinate_indices(len(laws) // 3 - 1)
 
     def ahead(self, part: Subdrift, calm: Callable[[Pair], bool]) -> PossibleMeetings:
         """Return what may meet in a part of a drift, but for pairs that are `calm`."""

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.detection.time_of_impact import Hit, Motion, Path
+from sandbox.physics.contacts.detection.time_of_impact import BodyMotion, Hit, Path
 from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.contacts.direct.prediction.separation_bound import spread
 from sandbox.physics.geometry.outline_distance import Outline, dot, gap
@@ -67,8 +67,11 @@ def carries_on(part: Subdrift, path: Path, hit: Hit, shapes: Shapes) -> bool:
 
 def _goes_with(body: int, other: int, path: Path, hit: Hit, duration: float) -> bool:
     """Return whether two bodies move alike at a hit for a time [s]."""
-    here, there = (Motion(path, one, hit.time) for one in (body, other))
-    way = max(abs(there.speed(point) - here.speed(point)) for point in hit.points) * duration
+    here, there = (BodyMotion(path, one, hit.time) for one in (body, other))
+    way = (
+        max(abs(there.velocity_at(point) - here.velocity_at(point)) for point in hit.points)
+        * duration
+    )
     return way <= LEVEL
 
 
@@ -86,9 +89,9 @@ def _grounds(part: Subdrift, pose: Array, guest: int, bodies: set[int]) -> Itera
 
 def _is_level(ground: _Ground, other: int, path: Path, hit: Hit, shapes: Shapes) -> bool:
     """Return whether a body does not rise above a surface where it is met."""
-    n, there = ground.normal, Motion(path, other, hit.time)
+    n, there = ground.normal, BodyMotion(path, other, hit.time)
     faces = dot(n, hit.normal if hit.bodies[0] == other else -hit.normal) > FACES
-    cores = [(there.put(one.corners), one.radius) for one in shapes(other)]
+    cores = [(there.place(one.corners), one.radius) for one in shapes(other)]
     for point in hit.points:
         height = dot(n, point - ground.point)
         met = [(core, half) for core, half in cores if gap(core, (point,), half).distance < ON]

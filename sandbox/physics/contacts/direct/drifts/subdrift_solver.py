@@ -13,7 +13,7 @@ from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.joints.exact.constraint_interface import order
+from sandbox.physics.joints.exact.constraint_interface import coordinate_indices
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 BRIEF = 1e-3
@@ -38,14 +38,14 @@ class SubdriftSolver:
     def __init__(self, laws: Array, until: float, *, driven: bool) -> None:
         self._laws, self._until, self._driven = laws, until, driven
         count = len(laws) // 3 - 1
-        self._order = order(count)
+        self._order = coordinate_indices(count)
         self.reached: Booleans = np.zeros(count, dtype=bool)
 
     def _solved(self, part: Subdrift, drift: float, duration: float) -> Subdrift:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.time_left
         joints.time(drift, drift)
-        kick = part.kick.before_drift(joints.course(start, start + drift))
+        kick = part.kick.before_drift(joints.kept_lengths(start, start + drift))
         mine, _, drive = others_of(part, self._laws, self.reached)
         motion = part.start_velocity + duration * drive
         part = part._replace(kick=kick, drift=drift, kick_duration=duration, velocity=motion)

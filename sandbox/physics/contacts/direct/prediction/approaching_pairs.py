@@ -17,8 +17,8 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query, pairs_of
 from sandbox.physics.contacts.detection.time_of_impact import (
+    BodyMotion,
     Hit,
-    Motion,
     Path,
     meet,
     nearest,
@@ -230,7 +230,7 @@ def _on_sides(hit: Hit, path: Path, both: tuple[Outline, Outline]) -> Hit:
     Near sharp corners, which are a little round, the normal that was found is slightly off.
     """
     for outline, sign in zip(both, (1, -1), strict=True):
-        corners = Motion(path, outline.body, hit.time).put(outline.corners)
+        corners = BodyMotion(path, outline.body, hit.time).place(outline.corners)
         for here, there in pairwise((*corners, corners[0])):
             if there != here:
                 normal = sign * -1j * (there - here) / abs(there - here)

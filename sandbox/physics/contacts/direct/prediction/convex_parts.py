@@ -18,7 +18,7 @@ from sandbox.physics.joints.exact.constraint_interface import Coordinates
 if TYPE_CHECKING:
     from sandbox.physics.engine.space_arrays import Booleans
 
-PLACES = 2
+POSITION_ROUNDING = 2
 """How many placements are remembered: those at the start and at the end of a drift."""
 
 TOUCHING = 1e-7
@@ -70,7 +70,7 @@ class ConvexPart(NamedTuple):
         return max(map(abs, self.corners))
 
     def placed(self, position: complex, turned: complex) -> "ConvexPart":
-        """Return it in the plane, with its body at a place and rotated."""
+        """Return it in the plane, with its body at a position and rotated."""
         return ConvexPart(
             [position + corner * turned for corner in self.corners],
             [normal * turned for normal in self.normals],
@@ -183,7 +183,7 @@ class ConvexParts:
         if (known := self._placed.pop(where, None)) is None:
             known = PlacedParts(self.parts, pose)
         self._placed[where] = known
-        if len(self._placed) > PLACES:
+        if len(self._placed) > POSITION_ROUNDING:
             del self._placed[next(iter(self._placed))]
         return known
 

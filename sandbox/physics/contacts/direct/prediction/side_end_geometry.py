@@ -114,7 +114,7 @@ class Line(NamedTuple):
     def of(cls, piece: Piece) -> "Line | None":
         """Return an arc or a curve; None for other pieces, and for closed ones."""
         if piece.curve:
-            feet = piece.curve.course.ends
+            feet = piece.curve.middle_line.ends
             ends = [(f.point, -f.tangent if f.parameter == 0 else f.tangent) for f in feet]
             return cls(ends, piece.curve.half, None) if ends else None
         arc = piece.arc

@@ -42,7 +42,12 @@ from sandbox.physics.contacts.direct.rows.contact_properties import SLOP
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, order, planes
+from sandbox.physics.joints.exact.constraint_interface import (
+    Coordinates,
+    angles,
+    coordinate_indices,
+    planes,
+)
 
 LOOKS = 30
 """How often, at most, a drift is followed to its end: in a rocking stack each time finds one more
@@ -158,10 +163,10 @@ class SpeculativeContacts:
 
         `motion`, (3 N,), has the velocities in that drift [m/s, rad/s].
         """
-        drift, places = kick.joints.drift, order(len(kick.pose.values) // 3 - 1)
+        drift, indices = kick.joints.drift, coordinate_indices(len(kick.pose.values) // 3 - 1)
         near = self.approaching.near(kick.contacts, kick.pose, drift * motion)
         near = [pair for pair in near if some[[*pair]].any()]
-        path = Path(kick.pose.values[places], motion[places], np.zeros(places.shape))
+        path = Path(kick.pose.values[indices], motion[indices], np.zeros(indices.shape))
         hits = self.approaching.ahead(path, drift, near)
         corners = [one for one in self.corners(kick, motion) if some[[*one.pair]].any()]
         here, there = kick.pose, Coordinates(kick.pose.values + drift * motion)

@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.geometry.plane_curve import Course
+from sandbox.physics.geometry.plane_curve import MiddleLine
 from sandbox.physics.state.anchor import Plane
 
 PARALLEL = 1e-6
@@ -24,7 +24,7 @@ class Figure(NamedTuple):
     inner radius of a hollow body, else 0 [m]. `normals` are the unit normals of its sides,
     `corners` are the ends of these, and `center` is the centre of a disc, hoop or arc [m], all
     along its axes. `rounding` is the radius of its corners or ends [m]; `ends` tells whether it is
-    an arc with ends. `course` is the shape of a curve; else None.
+    an arc with ends. `middle_line` is the shape of a curve; else None.
     """
 
     radius: float
@@ -34,16 +34,16 @@ class Figure(NamedTuple):
     inner: float = 0.0
     center: complex = 0j
     ends: bool = False
-    course: Course | None = None
+    middle_line: MiddleLine | None = None
 
 
 class Figures:
     """The outlines of n bodies, as tables.
 
     `radius`, `rounding`, `inner`, `center` and `ends`, (n,), are as of a `Figure`, and `corners`,
-    (n, most of them), too, padded with infinity. `courses` are the shapes of curves, by the indices
-    of their bodies. `convex`, (n,), tells whether a body consists of discs and straight sides
-    alone, seen from outside.
+    (n, most of them), too, padded with infinity. `middle_lines` are the shapes of curves, by the
+    indices of their bodies. `convex`, (n,), tells whether a body consists of discs and straight
+    sides alone, seen from outside.
 
     `thick` tells whether any body has rounded corners or ends that are not sharp; `plain`, whether
     all round bodies are full circles about their bodies' centres; `hollow`, whether any body can be
@@ -59,8 +59,10 @@ class Figures:
         self.thick = bool((self.rounding > SHARP).any())
         self.hollow = bool((self.inner > 0).any())
         self.plain = not (self.center.any() or self.ends.any())
-        self.convex: Booleans = ~np.array([bool(f.ends or f.course) for f in figures], dtype=bool)
-        self.courses = {row: f.course for row, f in enumerate(figures) if f.course}
+        self.convex: Booleans = ~np.array(
+            [bool(f.ends or f.middle_line) for f in figures], dtype=bool
+        )
+        self.middle_lines = {row: f.middle_line for row, f in enumerate(figures) if f.middle_line}
         self._normals = _padded([figure.normals for figure in figures])
         self.corners = _padded([figure.corners for figure in figures])
         self._sided = np.array([len(figure.normals) > 0 for figure in figures], dtype=bool)

@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN, INSET
 from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.geometry.curve_contacts import course_of
+from sandbox.physics.geometry.curve_contacts import middle_line_of
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.state.anchor import Plane
 
@@ -95,8 +95,8 @@ def _figure(spec: Body, values: Values) -> Figure:
                 ends=True,
             )
         case Curve(thickness=thickness) as curve:
-            half, course = thickness(values) / 2, course_of(curve, values)
-            return Figure(0.0, NONE, NONE, half, course=course)
+            half, middle_line = thickness(values) / 2, middle_line_of(curve, values)
+            return Figure(0.0, NONE, NONE, half, middle_line=middle_line)
         case Segment(thickness=thickness) | Polyline(thickness=thickness):
             points = np.array([complex(*point) for point in local_points(spec, values)])
             both = np.concatenate((sides := np.diff(points), -sides))

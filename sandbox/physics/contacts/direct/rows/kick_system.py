@@ -18,7 +18,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     blur,
     planes,
 )
-from sandbox.physics.joints.exact.joint_system import Course
+from sandbox.physics.joints.exact.joint_system import KeptLengths
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
 
 PROUD = 1e-9
@@ -52,7 +52,7 @@ class Kick:
         (r, 3 N), the velocity changes by a unit impulse of each row: J M⁻¹.
     belt_slip
         (f,), the slip velocities of running surfaces, such as belts [m/s].
-    course
+    kept_lengths
         The lengths that joints keep before and after the drift, and the time of the kick.
     closing_count
         How many of the contacts, the last ones, are still open, and close within the drift.
@@ -66,7 +66,7 @@ class Kick:
     rows_at_start: Rows
     response: Array
     belt_slip: Array
-    course: Course
+    kept_lengths: KeptLengths
     closing_count: int = 0
 
     @classmethod
@@ -77,13 +77,13 @@ class Kick:
         contacts: Contacts,
         layout: Layout,
         running: Array,
-        course: Course,
+        kept_lengths: KeptLengths,
         closes: int = 0,
     ) -> "Kick":
-        """Return the system at a place.
+        """Return the system at given positions.
 
         `running`, (n, 2), are the velocities of running surfaces relative to their bodies [m/s];
-        `course` are the lengths that joints keep before and after the drift.
+        `kept_lengths` are the lengths that joints keep before and after the drift.
         The last `closing_count` contacts close only within the drift.
         """
         found = features(contacts, layout.touching, pose, joints.origin)
@@ -98,7 +98,7 @@ class Kick:
             here,
             response,
             runs,
-            course,
+            kept_lengths,
             closing_count=closes,
         )
 
@@ -160,13 +160,13 @@ class Kick:
             points=np.stack((points.real, points.imag), 2), depths=depths
         )
 
-    def between(self, pose: Coordinates, course: Course) -> "Kick":
+    def between(self, pose: Coordinates, kept_lengths: KeptLengths) -> "Kick":
         """Return the system at other positions, for a drift between other lengths of the joints."""
-        return self.at_pose(pose).before_drift(course)
+        return self.at_pose(pose).before_drift(kept_lengths)
 
-    def before_drift(self, course: Course) -> "Kick":
+    def before_drift(self, kept_lengths: KeptLengths) -> "Kick":
         """Return the same before a drift between other lengths of the joints."""
-        return replace(self, course=course)
+        return replace(self, kept_lengths=kept_lengths)
 
     def with_tilt_friction(self, velocity: Array, forces: Array) -> "Kick | None":
         """Return the system with the friction of tilting sides at the point that bears the load.
@@ -211,7 +211,7 @@ class Kick:
     def targets(self) -> Array:
         """Return the target values of the rows after the drift: (r,)."""
         wanted = self.rows_at_start.total.copy()
-        wanted[self.layout.joints] = -self.course.after
+        wanted[self.layout.joints] = -self.kept_lengths.after
         wanted[self.layout.slips] -= self.joints.drift * self.belt_slip
         if self.closing_count:
             closed = self.contacts.depths.take(self.layout.touching.number) - PROUD
@@ -229,7 +229,7 @@ class Kick:
     @property
     def slack(self) -> Booleans:
         """Which one-sided joints are slack, or not reached: (m,)."""
-        gap = self.rows_at_start.total[self.layout.joints] + self.course.before
+        gap = self.rows_at_start.total[self.layout.joints] + self.kept_lengths.before
         return np.asarray(self.joints.pulls_only & (gap > TAUT + QUADRATIC))
 
     @cached_property
@@ -245,7 +245,7 @@ class Kick:
 
     def joint_rates(self) -> Array:
         """Return the mean rates of the lengths that joints keep in the drift: (m,) [m/s, rad/s]."""
-        return np.asarray((self.course.after - self.course.before) / self.joints.drift)
+        return np.asarray((self.kept_lengths.after - self.kept_lengths.before) / self.joints.drift)
 
     def rates_now(self) -> Array:
         """Return the rates of these lengths at the time of the kick: (m,) [m/s, rad/s].
@@ -253,7 +253,7 @@ class Kick:
         An impact is at that instant: with the mean rates of the drift after it, what a motor of
         changing rate drives would bounce with an error of first order.
         """
-        return self.joints.equations.rates(self.course.t)
+        return self.joints.equations.rates(self.kept_lengths.t)
 
     def wrenches(self, impulse: Array, body: int) -> Array:
         """Return the impulses on a body by each contact: (2, k, 3) [N s, N m s].

@@ -164,8 +164,8 @@ def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array
 
 def _same(new: list[Key], old: list[Key]) -> list[tuple[int, int]]:
     """Return the indices of keys that there are in both lists, in each of them."""
-    places = {key: index for index, key in enumerate(old)}
-    return [(index, places[key]) for index, key in enumerate(new) if key in places]
+    old_indices = {key: index for index, key in enumerate(old)}
+    return [(index, old_indices[key]) for index, key in enumerate(new) if key in old_indices]
 
 
 def _rubbing(touching: ContactPoints, keys: list[Key]) -> list[Key]:
