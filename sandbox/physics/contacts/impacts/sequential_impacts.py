@@ -61,12 +61,13 @@ class Sequence:
         jump, impulse = np.zeros_like(begins), np.zeros(len(begins))
         contacts = self._batch.contacts()
         if len(contacts.bodies):
-            held = before = np.zeros_like(law_acceleration)
+            constraint_acceleration = before = np.zeros_like(law_acceleration)
             if not start:
-                held = _constraint_acceleration(begins, *last_kick)
-                before = self._before() if self._before else held
-                velocity = begins + (law_acceleration + held) * (self._dt / 2)
-            other = np.stack((np.zeros_like(held), held, before))  # by joints and contacts
+                constraint_acceleration = _constraint_acceleration(begins, *last_kick)
+                before = self._before() if self._before else constraint_acceleration
+                velocity = begins + (law_acceleration + constraint_acceleration) * (self._dt / 2)
+            nothing = np.zeros_like(constraint_acceleration)
+            other = np.stack((nothing, constraint_acceleration, before))  # by joints and contacts
             gives = (law_acceleration + other) * self._dt
             self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
@@ -124,8 +125,8 @@ def _constraint_acceleration(
     velocity_after: Array, velocity_before: Array, duration: float, smooth: Array
 ) -> Array:
     """Return the accelerations in a kick except by gravity and laws: (n, 3) [m/s², rad/s²]."""
-    held: Array = (velocity_after - velocity_before) / duration - smooth
-    return held
+    acceleration: Array = (velocity_after - velocity_before) / duration - smooth
+    return acceleration
 
 
 class _Points(NamedTuple):
@@ -200,5 +201,7 @@ def _allowed(points: _Points, gives: Array) -> Array:
     both = points.jacobian, gives[2, points.bodies]
     sizes = [np.sqrt(np.add.reduce(a * a, axis=2)) for a in both]
     adds = np.einsum("kbc,skbc->sk", points.jacobian, gives[:2, points.bodies])
-    alone, held = np.abs(adds)
-    return np.asarray(np.maximum(alone, np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))))
+    alone, with_constraints = np.abs(adds)
+    return np.asarray(
+        np.maximum(alone, np.minimum(with_constraints, np.sum(sizes[0] * sizes[1], axis=1)))
+    )

@@ -159,8 +159,8 @@ class Hollows:
         Right after a step these are the contacts that pymunk has just solved, as it finds them at
         these positions.
         """
-        for shapes, known in self._touching.items():
-            if known:
+        for shapes, overlap in self._touching.items():
+            if overlap:
                 rows = [self._pieces[shape].body for shape in shapes]
                 found = self._judge(shapes, *(_placed(state[row]) for row in rows))
                 if isinstance(found, Touch):

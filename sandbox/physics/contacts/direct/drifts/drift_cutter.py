@@ -198,8 +198,8 @@ class DriftCutter(SubdriftSolver):
         catches = caught(part)
         if self._catches == CATCHES or not np.count_nonzero(catches):
             return part
-        saved, held = self.reached, part.kick.acts[part.kick.layout.joints][catches]
-        self.reached = saved | linked(part.kick, np.asarray(held.any(axis=0)))
+        saved, acts = self.reached, part.kick.acts[part.kick.layout.joints][catches]
+        self.reached = saved | linked(part.kick, np.asarray(acts.any(axis=0)))
         try:
             return self._solved(loose(part), part.drift, part.kick_duration)
         except (JointFailure, NoForces):
@@ -240,11 +240,11 @@ class DriftCutter(SubdriftSolver):
             self._add_bodies(around(kick, kick.contacts.bodies[-kick.closing_count :].tolist()))
             return self._again(part, kick)
 
-        known, self.reached = self.reached, reached
+        reached_before, self.reached = self.reached, reached
         self._add_bodies(crowded)
         found, crowded = stopped(part, crowded, self._speculative, self._build, again)
         if found is part:
-            self.reached = known  # no forces are found
+            self.reached = reached_before  # no forces are found
             return ()
         self._stopped, self._undisturbed = self._stopped | crowded, self._undisturbed | crowded
         return (found,)
@@ -256,8 +256,8 @@ class DriftCutter(SubdriftSolver):
     def _is_calm(self, pair: Pair) -> bool:
         """Return whether one of two bodies was stopped, and nothing has struck them since."""
         both = [*pair]
-        calm, moved = self._undisturbed[both], self.reached[both]
-        return bool(calm.any() and not (moved & ~calm).any())
+        calm, reached = self._undisturbed[both], self.reached[both]
+        return bool(calm.any() and not (reached & ~calm).any())
 
     def _kept(
         self, part: Subdrift, shorter: Subdrift, met: FirstMeeting | None

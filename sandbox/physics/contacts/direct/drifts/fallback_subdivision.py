@@ -119,22 +119,22 @@ class SolvedDrift(NamedTuple):
 
     def drift_record(self, start: Array, order: Integers) -> DividedDrift:
         """Return it for the rest of the step, from the pose `start`, (n, 3) [m, rad]."""
-        first, lost = self.first, self.missing
-        kick, moved = first.kick, first.velocity
+        first, missing = self.first, self.missing
+        kick, velocity = first.kick, first.velocity
         forces = first.forces.dot(kick.response)
-        length = kick.joints.kick - lost
-        velocity_before = (self.inner[-1].velocity - lost * self.acceleration)[order]
+        length = kick.joints.kick - missing
+        velocity_before = (self.inner[-1].velocity - missing * self.acceleration)[order]
         between = [one.kick_record(start, kick.pose.values, order) for one in self.inner]
         end, last = start + self.displacement[order], between[-1]
         nothing = Stage.of(
-            self.inner[-1].kick, -lost, velocity_before, 0.0 * self.inner[-1].impulse
+            self.inner[-1].kick, -missing, velocity_before, 0.0 * self.inner[-1].impulse
         )
         back = KickBetweenParts(end, last.jacobian, nothing)
         return DividedDrift(
-            (moved + lost * (self.acceleration + forces))[order],
+            (velocity + missing * (self.acceleration + forces))[order],
             velocity_before,
             np.ones(len(start), dtype=bool),
-            first.stages or (Stage.of(kick, length, moved[order], first.impulse),),
+            first.stages or (Stage.of(kick, length, velocity[order], first.impulse),),
             (*between, back),
             1 / (len(between) + 1),
             end,
@@ -152,7 +152,7 @@ def through(
     there is no solution in any number of parts.
     """
     joints, whole = kick.joints, kick.joints.drift
-    lost: JointFailure | NoForces | None = None
+    last_error: JointFailure | NoForces | None = None
     for parts in PARTS:
         times = until - whole + whole * np.arange(parts + 1) / parts
         kept_lengths_by_part = [joints.kept_lengths(*drift) for drift in pairwise(times.tolist())]
@@ -161,11 +161,11 @@ def through(
                 kick, acceleration, kept_lengths_by_part, take, placed=parts < PARTS[-1]
             )
         except (JointFailure, NoForces) as error:
-            lost = error
+            last_error = error
         finally:
             joints.time(whole, whole)
-    assert lost
-    raise lost
+    assert last_error
+    raise last_error
 
 
 def _in_parts(
@@ -182,16 +182,16 @@ def _in_parts(
     missing = (whole - drift) / 2  # of the length of the kicks before and after
     joints.time(whole - missing, drift)
     first = take(kick.before_drift(kept_lengths_by_part[0]), placed=placed)
-    moved, forces, active = first.velocity, first.forces, first.active
+    velocity, forces, active = first.velocity, first.forces, first.active
     joints.time(drift, drift)
-    pose, inner = Coordinates(kick.pose.values + drift * moved), []
+    pose, inner = Coordinates(kick.pose.values + drift * velocity), []
     for kept_lengths in kept_lengths_by_part[1:]:
         now = kick.between(pose, kept_lengths)
-        motion = moved + drift * acceleration
-        impulse, moved, active, _ = hold(
+        motion = velocity + drift * acceleration
+        impulse, velocity, active, _ = hold(
             now, motion, (drift * forces, active), driven=False, placed=placed
         )
-        inner.append(SolvedInnerKick(now, drift, impulse, moved))
+        inner.append(SolvedInnerKick(now, drift, impulse, velocity))
         forces = impulse / drift
-        pose = Coordinates(pose.values + drift * moved)
+        pose = Coordinates(pose.values + drift * velocity)
     return SolvedDrift(first, tuple(inner), acceleration, missing, pose.values - kick.pose.values)

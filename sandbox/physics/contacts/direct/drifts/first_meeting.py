@@ -93,14 +93,14 @@ class MeetingFinder:
 
     def ahead(self, part: Subdrift, calm: Callable[[Pair], bool]) -> PossibleMeetings:
         """Return what may meet in a part of a drift, but for pairs that are `calm`."""
-        speculative, kick, way = self._speculative, part.kick, part.drift * part.velocity
-        pairs = speculative.approaching.near(kick.contacts, kick.pose, way)
+        speculative, kick, displacement = self._speculative, part.kick, part.drift * part.velocity
+        pairs = speculative.approaching.near(kick.contacts, kick.pose, displacement)
         return PossibleMeetings(
             [pair for pair in pairs if not calm(pair)],
             [one for one in speculative.corners(kick, part.velocity) if not calm(one.pair)],
             [
                 one
-                for one in speculative.ends.passing(kick, way, part.forces)
+                for one in speculative.ends.passing(kick, displacement, part.forces)
                 if not calm(one.bodies)
             ],
         )
@@ -134,9 +134,9 @@ class MeetingFinder:
         times = moments([hit.time for hit in hits], TOGETHER * longest)
         hits = [hit for hit in hits if hit.time <= last]
         down = [corner for corner, time in zip(corners, falls, strict=True) if time <= last]
-        gone = [one for one, time in zip(passing, passes, strict=True) if time <= last]
-        gone = [] if hits or down else gone
-        return FirstMeeting(first, hits, down, gone, coming, falling, times)
+        passed = [one for one, time in zip(passing, passes, strict=True) if time <= last]
+        passed = [] if hits or down else passed
+        return FirstMeeting(first, hits, down, passed, coming, falling, times)
 
     def beside(
         self, ended: Subdrift, velocity: Array, met: FirstMeeting, pairs: Sequence[Pair]

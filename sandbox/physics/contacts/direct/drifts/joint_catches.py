@@ -38,8 +38,8 @@ class Pulls:
 
     def note(self, joints: ExactJoints) -> None:
         """Note the forces of the joints in a kick."""
-        pulls, known = joints.pulls_only & (joints.tension > 0), self._known
-        new = pulls & ~known if len(known) == len(pulls) else pulls
+        pulls, last_pulls = joints.pulls_only & (joints.tension > 0), self._known
+        new = pulls & ~last_pulls if len(last_pulls) == len(pulls) else pulls
         self.begins, self._known = bool(np.count_nonzero(new)), pulls
 
 
@@ -72,10 +72,10 @@ def catch_time(part: Subdrift, laws: Array, until: float, longest: float) -> flo
     velocity = part.velocity - total * (part.drift / 2)
 
     def gaps(t: float) -> Array:
-        there = joints.equations.evaluate_without_memory(
+        rows = joints.equations.evaluate_without_memory(
             Coordinates(pose + t * (velocity + total * (t / 2)))
         )
-        return np.asarray(joints.lengths(start + t) - there.total)
+        return np.asarray(joints.lengths(start + t) - rows.total)
 
     def gap(row: int, t: float) -> float:
         return float(gaps(t)[row])

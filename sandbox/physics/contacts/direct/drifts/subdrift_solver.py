@@ -54,22 +54,22 @@ class SubdriftSolver:
         slips = mine[kick.layout.slips]
         some = replace(kick, layout=kick.layout.around(mine))
         guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
-        impulse, moved, held, flat = hold(
+        impulse, velocity, active, flat = hold(
             some, motion, (np.where(mine, part.forces * duration, 0.0), guess), driven=self._driven
         )
-        leaning = some.with_tilt_friction(moved, impulse)
+        leaning = some.with_tilt_friction(velocity, impulse)
         if leaning is not None:
-            found = impulse, held
-            impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
+            found = impulse, active
+            impulse, velocity, active, flat = hold(leaning, motion, found, driven=self._driven)
             kick = replace(leaning, layout=kick.layout)
         return part._replace(
             kick=kick,
             forces=np.where(mine, impulse / duration, part.forces),
             active=Active(
-                np.where(mine, held.on, part.active.on),
-                np.where(slips, held.slip, part.active.slip),
+                np.where(mine, active.on, part.active.on),
+                np.where(slips, active.slip, part.active.slip),
             ),
-            velocity=moved,
+            velocity=velocity,
             flat=flat,
         )
 
@@ -100,8 +100,8 @@ class SubdriftSolver:
             except NoForces:
                 if drift > BRIEF * part.drift:
                     raise
-        moved = part.start_velocity + duration * (self._laws + part.constraint_acceleration)
-        return part._replace(drift=drift, kick_duration=duration, velocity=moved)
+        velocity = part.start_velocity + duration * (self._laws + part.constraint_acceleration)
+        return part._replace(drift=drift, kick_duration=duration, velocity=velocity)
 
     def _arrived(
         self, part: Subdrift, struck: Booleans, catching: Booleans | None = None

@@ -81,10 +81,10 @@ class Subdrift(NamedTuple):
     stopped_crowds: bool = False
 
     @classmethod
-    def whole_drift(cls, taken: KickResult, drift: float, moved: Array) -> "Subdrift":
+    def whole_drift(cls, taken: KickResult, drift: float, velocity: Array) -> "Subdrift":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
         start, solution = (taken.start_velocity, taken.duration), (taken.forces, taken.active)
-        first = cls(taken.kick, drift, drift, *start, *solution, moved, taken.stages[:-1])
+        first = cls(taken.kick, drift, drift, *start, *solution, velocity, taken.stages[:-1])
         return first._replace(flat=taken.flat)
 
     @property
@@ -292,9 +292,9 @@ class CutDrift:
         """Return velocities, (n, 3), with those of the whole drift for all other bodies."""
         return np.where(self.reached[:, None], velocity, self.whole.velocity[self._indices])
 
-    def _body_poses(self, there: Coordinates) -> Array:
+    def _body_poses(self, coordinates: Coordinates) -> Array:
         """Return the positions of the bodies: (n, 3) [m, rad]."""
-        displacement = there.values - self.whole.kick.pose.values
+        displacement = coordinates.values - self.whole.kick.pose.values
         return self.start + displacement[self._indices]
 
 

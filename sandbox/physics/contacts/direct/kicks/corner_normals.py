@@ -68,14 +68,14 @@ class CornerPairs:
         touches, direction = contacts.touches.copy(), contacts.direction.copy()
         points, depths = contacts.points.copy(), contacts.depths.copy()
         for row, (a, b) in enumerate(contacts.bodies.tolist()):
-            if held := self._held.get((a, b)):
-                n = held.normal * complex(pose.turned[a])
+            if kept := self._held.get((a, b)):
+                n = kept.normal * complex(pose.turned[a])
                 first, second = (
                     complex(pose.plane[body] + point * pose.turned[body])
-                    for body, point in zip((a, b), held.points, strict=True)
+                    for body, point in zip((a, b), kept.points, strict=True)
                 )
                 off = (second - first) * n.conjugate()
-                turned = float(pose.angle[b] - pose.angle[a]) - held.turned
+                turned = float(pose.angle[b] - pose.angle[a]) - kept.turned
                 if abs(off.imag) > REACH or abs(turned) > PARALLEL:
                     del self._held[a, b]
                     continue

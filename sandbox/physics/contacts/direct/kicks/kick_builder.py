@@ -34,17 +34,17 @@ class KickBuilder:
         batch: Batch,
         joints: ExactJoints,
         surfaces: Surfaces,
-        moves: Booleans,
+        movable: Booleans,
         query: Query,
         warm_start: WarmStart,
     ) -> None:
         self._batch, self._joints, self._surfaces = batch, joints, surfaces
-        self._moves, self._order = moves, coordinate_indices(len(moves))
-        self._still: Array = np.zeros((len(moves), 3))
+        self._moves, self._order = movable, coordinate_indices(len(movable))
+        self._still: Array = np.zeros((len(movable), 3))
         self._still.setflags(write=False)
         self._span = 0.0, 0.0  # of the drift after the kick [s]
         self._kept_lengths = joints.kept_lengths(0.0, 0.0)
-        self._layouts = Layouts(joints, surfaces, moves)
+        self._layouts = Layouts(joints, surfaces, movable)
         self._false, self._corners = FalseContacts(query), CornerPairs()
         self._overlaps = OverlapCorrection(surfaces, warm_start)
         self.contacts: Contacts = NO_CONTACTS
@@ -98,21 +98,21 @@ class KickBuilder:
         """
         pose, _ = self._joints.coordinates()
         kick = self.at(pose)
-        way = self._overlaps.displacement(kick, leaving) if self.corrects else None
-        if way is None:
+        displacement = self._overlaps.displacement(kick, leaving) if self.corrects else None
+        if displacement is None:
             return kick
         self.corrects = False
         state = self._batch.state()
-        self.shift = np.where(self._moves[:, None], way[self._order], 0.0)
+        self.shift = np.where(self._moves[:, None], displacement[self._order], 0.0)
         state[:, :3] += self.shift
         self._batch.set_state(state)
-        there = Coordinates(pose.values + way)
-        carried = kick.carried(there)
+        corrected_pose = Coordinates(pose.values + displacement)
+        carried = kick.carried(corrected_pose)
         found = self._false.updated(carried, state, self.shift, self._surfaces.slop)
         if found is carried:
-            return kick.at_pose(there)
+            return kick.at_pose(corrected_pose)
         self.contacts = found
-        return self.at(there)
+        return self.at(corrected_pose)
 
     def at(self, pose: Coordinates) -> Kick:
         """Return the system at given positions of the bodies."""

@@ -72,8 +72,8 @@ def _without_impacts(
     """Return a kick without impacts, or the rest of a kick after them, of length `duration` [s]."""
     motion = velocity + start.acceleration * duration
     guess = warm_start.guess(kick, motion, duration)
-    held = hold(kick, motion, guess, driven=start.driven, placed=placed)
-    impulse, velocity_after, active, flat = held
+    solution = hold(kick, motion, guess, driven=start.driven, placed=placed)
+    impulse, velocity_after, active, flat = solution
     slides = bool(np.count_nonzero(active.slip) or np.count_nonzero(guess[1].slip))
     forces, whole = impulse / duration, (impulse, None, ())
     return KickResult(

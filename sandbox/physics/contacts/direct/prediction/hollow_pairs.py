@@ -85,9 +85,9 @@ class _Line(NamedTuple):
         if arc is None or piece.outward:
             return None
         half = acos(arc.cosine) if arc.cosine >= -1 else pi
-        ways = np.exp(1j * np.linspace(-half, half, SAMPLES + 1))
+        directions = np.exp(1j * np.linspace(-half, half, SAMPLES + 1))
         thick = max(arc.outer - arc.radius, arc.radius - arc.inner)
-        points = arc.center + arc.radius * arc.middle * ways
+        points = arc.center + arc.radius * arc.middle * directions
         reach = abs(arc.center) + (arc.outer if half < pi else 0.0)
         return cls(points, thick + arc.radius * half / SAMPLES, reach)
 
@@ -145,13 +145,13 @@ class HollowPairs:
             reach[row] = line.reach
         return reach
 
-    def gap(self, pair: Pair, here: Coordinates) -> float:
+    def gap(self, pair: Pair, pose: Coordinates) -> float:
         """Return a lower bound of the distance between two bodies [m]."""
         hollow, other = self._in_order(pair)
-        line, turned = self._lines[hollow], complex(here.turned[hollow])
-        points = complex(here.plane[hollow]) + line.points * turned
-        points -= complex(here.plane[other])
-        points /= complex(here.turned[other])
+        line, rotation = self._lines[hollow], complex(pose.turned[hollow])
+        points = complex(pose.plane[hollow]) + line.points * rotation
+        points -= complex(pose.plane[other])
+        points /= complex(pose.turned[other])
         pieces = [shape.piece for shape in self._shapes[other] if shape.piece.corner is None]
         return min(_distance(points, piece) for piece in pieces) - line.near
 
@@ -177,23 +177,26 @@ class HollowPairs:
 
     def _times(self, path: Path, duration: float, pair: Pair) -> Iterator[float]:
         """Yield the times at which to look for contacts: several where bodies are fast."""
-        (at, _), (there, _) = _moved(path, pair, 0.0)
+        (position, _), (other_position, _) = _moved(path, pair, 0.0)
         (end, _), (ended, _) = _moved(path, pair, duration)
-        way = abs((ended - end) - (there - at))
+        relative_path = abs((ended - end) - (other_position - position))
         size = min(shape.size for shape in self._shapes[self._in_order(pair)[1]])
-        looks = 1 + int(min(LOOKS - 1, way / (SLIM * size)))
+        looks = 1 + int(min(LOOKS - 1, relative_path / (SLIM * size)))
         return (duration * (look + 1) / looks for look in range(looks))
 
     def corners(self, pair: Pair, here: Coordinates, there: Coordinates) -> Iterator[HollowCorner]:
         """Yield the points of two bodies that are apart here, and in each other there."""
-        start, end = placed(pair, here), placed(pair, there)
-        for corner in (*self._outside(pair, end), *(c for c, _ in self._contacts(pair, end))):
-            if corner.spot(end).gap < -LEAST and corner.spot(start).gap > 0:
+        placed_before, placed_after = placed(pair, here), placed(pair, there)
+        for corner in (
+            *self._outside(pair, placed_after),
+            *(c for c, _ in self._contacts(pair, placed_after)),
+        ):
+            if corner.spot(placed_after).gap < -LEAST and corner.spot(placed_before).gap > 0:
                 yield corner
 
-    def touching(self, pair: Pair, here: Coordinates, soon: Coordinates) -> Iterator[HollowCorner]:
+    def touching(self, pair: Pair, now: Coordinates, soon: Coordinates) -> Iterator[HollowCorner]:
         """Yield the points of two bodies that touch here, and still do a little later."""
-        start, later = placed(pair, here), placed(pair, soon)
+        start, later = placed(pair, now), placed(pair, soon)
         for corner in (*self._outside(pair, later), *(c for c, _ in self._contacts(pair, later))):
             if abs(corner.spot(start).gap) < TOUCHING:
                 yield corner
@@ -241,8 +244,8 @@ class HollowPairs:
             [(shape, to_plane(pose, shape.middle)) for shape in self._shapes[body]]
             for body, pose in zip(pair, poses, strict=True)
         )
-        for (one, here), (other, there) in product(first, second):
-            if abs(there - here) < one.size + other.size:
+        for (one, placed), (other, other_placed) in product(first, second):
+            if abs(other_placed - placed) < one.size + other.size:
                 yield one, other
 
     def _touches(self, corner: HollowCorner, guest: Piece, poses: Poses) -> bool:
@@ -250,9 +253,9 @@ class HollowPairs:
 
         It may miss an arc, and meet a curve where another of its stretches begins.
         """
-        at, there = poses[corner.own], poses[1 - corner.own]
+        own_pose, guest_pose = poses[corner.own], poses[1 - corner.own]
         shapes = self._shapes[corner.pair[corner.own]]
-        found = (verdict(shape.piece, guest, at, there) for shape in shapes)
+        found = (verdict(shape.piece, guest, own_pose, guest_pose) for shape in shapes)
         return any(isinstance(touch, Touch) for touch in found)
 
 
@@ -290,7 +293,7 @@ def _distance(points: Plane, piece: Piece) -> float:
     """Return the least distance of points outside a shape from it [m]."""
     ends = np.array(piece.core)
     starts = np.roll(ends, 1)
-    along, way = ends - starts, points[:, None] - starts
+    along, offset = ends - starts, points[:, None] - starts
     square = np.maximum((along * along.conj()).real, TINY)
-    share = np.clip((way * along.conj()).real / square, 0.0, 1.0)
-    return float(np.abs(way - share * along).min()) - piece.radius
+    share = np.clip((offset * along.conj()).real / square, 0.0, 1.0)
+    return float(np.abs(offset - share * along).min()) - piece.radius

@@ -47,8 +47,8 @@ class EndCrossing(NamedTuple):
     def point_on_side(self, pose: Coordinates) -> complex:
         """Return the point that passes, along the axes of the body with the side [m]."""
         own, other = self.bodies
-        there = pose.plane[other] + self.point * pose.turned[other] - pose.plane[own]
-        return complex(there / pose.turned[own])
+        offset = pose.plane[other] + self.point * pose.turned[other] - pose.plane[own]
+        return complex(offset / pose.turned[own])
 
 
 class PointsOnSides(NamedTuple):
@@ -73,16 +73,16 @@ class PointsOnSides(NamedTuple):
     @classmethod
     def at(cls, kick: Kick, sides: Sides) -> "PointsOnSides":
         """Return the points of a kick."""
-        features, turned, plane = kick.features, kick.pose.turned, kick.pose.plane
+        features, rotation, plane = kick.features, kick.pose.turned, kick.pose.plane
         bodies, each = kick.layout.touching.bodies, np.arange(len(kick.layout.touching.pair))
         own = np.where(features.side[each] == bodies[0], 0, 1)
         side, other = bodies[own, each], bodies[1 - own, each]
         point = features.points[1 - own, each]
         out = features.normal[each] * (1 - 2 * own)
         on, _ = sides.facing(side, out, features.points[own, each])
-        lies, along = sides.facing(other, -out * turned[side] / turned[other], point)
-        way = (plane[other] + point * turned[other] - plane[side]) / turned[side]
-        seen = (way * out.conj()).imag
+        lies, along = sides.facing(other, -out * rotation[side] / rotation[other], point)
+        offset = (plane[other] + point * rotation[other] - plane[side]) / rotation[side]
+        seen = (offset * out.conj()).imag
         before = np.where(lies, along[:, None] - sides.begin[other], 0.0).max(axis=1)
         after = np.where(lies, sides.end[other] - along[:, None], 0.0).max(axis=1)
         begin, end = sides.begin[side] - before[:, None], sides.end[side] + after[:, None]

@@ -71,10 +71,10 @@ class Sides:
         """
         seen = corner * self.normal[body].conj()
         level = np.abs(self.height[body] - self.rounding[body] - seen.real) < NEAR
-        for way, ends in ((1, self.begin[body]), (-1, self.end[body])):
+        for direction, ends in ((1, self.begin[body]), (-1, self.end[body])):
             for side in np.flatnonzero(level & (np.abs(ends - seen.imag) < NEAR)).tolist():
                 normal = complex(self.normal[body, side])
-                yield normal, complex(self.height[body, side], ends[side]) * normal, way
+                yield normal, complex(self.height[body, side], ends[side]) * normal, direction
 
 
 def _sides(part: ConvexPart) -> Iterator[Side]:

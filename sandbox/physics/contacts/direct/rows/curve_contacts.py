@@ -67,10 +67,10 @@ class CurveContact:
         first, foot = self.foot, self.middle_line.foot_point_near(position, self.foot.parameter)
         left = 1j * foot.tangent
         apart = dot(position - foot.point, left)
-        turned = phase(foot.tangent / first.tangent)
-        way = self.middle_line.length(first.parameter, foot.parameter) - self.start * turned
+        rotation = phase(foot.tangent / first.tangent)
+        offset = self.middle_line.length(first.parameter, foot.parameter) - self.start * rotation
         fraction = (1 - foot.curvature * self.start) / (1 - foot.curvature * apart)
-        return FollowedContact(self.hand * apart, -self.hand * way, self.hand * left, fraction)
+        return FollowedContact(self.hand * apart, -self.hand * offset, self.hand * left, fraction)
 
     @property
     def center(self) -> complex:
@@ -125,8 +125,8 @@ def on_curves(
 def _end(middle_line: MiddleLine, point: complex, half: float) -> CurvePoint | None:
     """Return the end of a curve, half as thick, that a point is across; None if it is beyond."""
     for end in middle_line.ends:
-        way = point - end.point
-        if abs(dot(way, end.tangent)) < ACROSS and abs(way) < half + ACROSS:
+        offset = point - end.point
+        if abs(dot(offset, end.tangent)) < ACROSS and abs(offset) < half + ACROSS:
             return end
     return None
 

@@ -100,32 +100,32 @@ class Features:
 
         Entries of the Jacobian that are 0 are not written.
         """
-        held, count = self.touching.row_bodies, len(self.offset)
-        turned, plane = pose.turned, pose.plane
-        arms = self.points * turned.take(held)
-        ends = plane.take(held) + arms
+        row_bodies, count = self.touching.row_bodies, len(self.offset)
+        rotations, plane = pose.turned, pose.plane
+        arms = self.points * rotations.take(row_bodies)
+        ends = plane.take(row_bodies) + arms
         d = ends[1] - ends[0]
-        ways = self.normal * turned.take(self.side)
-        beside = ways.conj() * d  # along the normal, and along the side
+        axes = self.normal * rotations.take(self.side)
+        beside = axes.conj() * d  # along the normal, and along the side
         if self.rounds is not None or self.curved:
-            self._bend(pose, arms, d[:count], ways, beside)
+            self._bend(pose, arms, d[:count], axes, beside)
         total[:] = beside.real
-        way = FROM_TO * ways
-        spin = (way * arms.conj()).imag
+        signed = FROM_TO * axes
+        spin = (signed * arms.conj()).imag
         spin += self.is_owner * beside.imag
-        if len(held[0]) > count:
-            rolled = self.rolls * pose.angle.take(held[:, count:])
+        if len(row_bodies[0]) > count:
+            rolled = self.rolls * pose.angle.take(row_bodies[:, count:])
             total[count:] += rolled[0]
             total[count:] += rolled[1]
             spin[:, count:] += self.rolls
         in_plane, in_angle = self.touching.jacobian_indices
         flat = jacobian.reshape(-1)
-        flat[in_plane], flat[in_angle] = way.view(float), spin
+        flat[in_plane], flat[in_angle] = signed.view(float), spin
 
-    def _bend(self, pose: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
+    def _bend(self, pose: Coordinates, arms: Plane, d: Plane, axes: Plane, beside: Plane) -> None:
         """Correct the rows of discs and curves, for which normals turn; see `evaluate`."""
         rubs, count = self.touching.friction_points, len(d)
-        along, across = ways[:count], 1j * ways[:count]
+        along, across = axes[:count], 1j * axes[:count]
         rows = gap, slip, _, _ = beside.real[:count], beside.imag[:count], along, across
         if self.rounds is not None:
             self._of_round(d, rows)
@@ -134,7 +134,7 @@ class Features:
             arms[:, count:] = arms[:, rubs]
         if len(rubs):
             beside.real[count:], beside.imag[count:] = slip.take(rubs), -gap.take(rubs)
-            ways[count:] = across.take(rubs)
+            axes[count:] = across.take(rubs)
 
     def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
         """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""
@@ -152,12 +152,12 @@ class Features:
 
     def moved(self, pose: Coordinates) -> "Features":
         """Return the same contact points for a drift that begins at other positions."""
-        there, held, rubs = copy(self), self.touching.row_bodies, self.touching.friction_points
-        points = pose.plane[held] + self.points * pose.turned[held]
+        moved, bodies, rubs = copy(self), self.touching.row_bodies, self.touching.friction_points
+        points = pose.plane[bodies] + self.points * pose.turned[bodies]
         first, second = points[:, : len(self.offset)]
-        there.offset = second - first
-        there.rolls = _to_the_middle(self.rolls, self.circles, there.offset[rubs])
-        return there
+        moved.offset = second - first
+        moved.rolls = _to_the_middle(self.rolls, self.circles, moved.offset[rubs])
+        return moved
 
 
 def _directed(d: Plane, normal: Plane) -> Plane:

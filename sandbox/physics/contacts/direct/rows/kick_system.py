@@ -87,15 +87,15 @@ class Kick:
         The last `closing_count` contacts close only within the drift.
         """
         found = features(contacts, layout.touching, pose, joints.origin)
-        here = rows_at(pose, joints, found)
-        response, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
+        rows = rows_at(pose, joints, found)
+        response, runs = rows.jacobian * joints.inverse, _runs(contacts, layout, running)
         return cls(
             joints,
             contacts,
             layout,
             found,
             pose,
-            here,
+            rows,
             response,
             runs,
             kept_lengths,
@@ -129,34 +129,34 @@ class Kick:
         """Return the contacts that are still to close at other positions."""
         if not self.closing_count:
             return NO_CONTACTS
-        there, count = self.carried(pose), len(self.contacts.bodies) - self.closing_count
-        opened = np.asarray(~_shut_points(there).any(axis=1))
+        moved, count = self.carried(pose), len(self.contacts.bodies) - self.closing_count
+        opened = np.asarray(~_shut_points(moved).any(axis=1))
         opened[:count] = False
-        return Contacts._make(field[opened] for field in there)
+        return Contacts._make(field[opened] for field in moved)
 
     def carried(self, pose: Coordinates) -> Contacts:
         """Return the contacts at other positions.
 
         Contact points move with their corner or disc, and along their side.
         """
-        there, touching = self.at_pose(pose), self.layout.touching
+        moved, touching = self.at_pose(pose), self.layout.touching
         each = np.arange(len(touching.pair))
         guest = (self.features.side[each] == touching.bodies[0]).astype(np.intp)
         body, sense = touching.bodies[guest, each], 1 - 2 * guest
         arm = self.features.points[guest, each]
         first, last = (at.plane[body] + arm * at.turned[body] for at in (self.pose, pose))
         old, new = (
-            kick.contacts.direction.view(complex).take(touching.pair) for kick in (self, there)
+            kick.contacts.direction.view(complex).take(touching.pair) for kick in (self, moved)
         )
         points = np.ascontiguousarray(self.contacts.points).view(complex)[..., 0].copy()
         depths, number, origin = self.contacts.depths.copy(), touching.number, self.joints.origin
         depth = depths.take(number)
         tip = points.take(number) - origin + sense * old * depth / 2
-        depth -= (there.rows_at_start.total - self.rows_at_start.total)[self.layout.gaps]
+        depth -= (moved.rows_at_start.total - self.rows_at_start.total)[self.layout.gaps]
         tip = last + (tip - first) * (new / old)
         points.reshape(-1)[number] = tip - sense * new * depth / 2 + origin
         depths.reshape(-1)[number] = depth
-        return there.contacts._replace(
+        return moved.contacts._replace(
             points=np.stack((points.real, points.imag), 2), depths=depths
         )
 
@@ -192,9 +192,9 @@ class Kick:
 
     def _on(self, found: Features, pose: Coordinates) -> "Kick":
         """Return the system with other contact points, or at other positions."""
-        here = rows_at(pose, self.joints, found)
-        response = here.jacobian * self.joints.inverse
-        return replace(self, features=found, pose=pose, rows_at_start=here, response=response)
+        rows = rows_at(pose, self.joints, found)
+        response = rows.jacobian * self.joints.inverse
+        return replace(self, features=found, pose=pose, rows_at_start=rows, response=response)
 
     def rows(self, displacement: Array) -> Rows:
         """Return the rows after a displacement, (3 N,); see `rows_at`."""
@@ -202,10 +202,14 @@ class Kick:
 
     def flat_rows(self, displacement: Array) -> Rows:
         """Return the same, with contacts linearized in the displacement."""
-        here, there, touch = self.rows_at_start, self.rows(displacement), self.layout.touch
-        total, jacobian = there.total.copy(), there.jacobian.copy()
-        total[touch] = here.total[touch] + here.jacobian[touch] @ displacement
-        jacobian[touch] = here.jacobian[touch]
+        rows_at_start, rows_at_end, touch = (
+            self.rows_at_start,
+            self.rows(displacement),
+            self.layout.touch,
+        )
+        total, jacobian = rows_at_end.total.copy(), rows_at_end.jacobian.copy()
+        total[touch] = rows_at_start.total[touch] + rows_at_start.jacobian[touch] @ displacement
+        jacobian[touch] = rows_at_start.jacobian[touch]
         return Rows(total, jacobian)
 
     def targets(self) -> Array:
@@ -235,8 +239,8 @@ class Kick:
     @cached_property
     def acts(self) -> Booleans:
         """Which bodies each row acts on: (r, n)."""
-        moved = (planes(self.response) != 0) | (angles(self.response) != 0)
-        return np.asarray(moved[:, :-1])
+        acts = (planes(self.response) != 0) | (angles(self.response) != 0)
+        return np.asarray(acts[:, :-1])
 
     @cached_property
     def velocity_rounding(self) -> float:
@@ -262,10 +266,10 @@ class Kick:
         """
         layout, touching = self.layout, self.layout.touching
         columns = [2 * body, 2 * body + 1, len(self.pose.values) // 3 * 2 + body]
-        given = impulse[:, None] * self.rows_at_start.jacobian[:, columns]
+        impulses = impulse[:, None] * self.rows_at_start.jacobian[:, columns]
         found = np.zeros((2, len(self.contacts.bodies), 3))
-        np.add.at(found[0], touching.pair, given[layout.gaps])
-        found[1, touching.friction_points] = given[layout.slips]
+        np.add.at(found[0], touching.pair, impulses[layout.gaps])
+        found[1, touching.friction_points] = impulses[layout.slips]
         return found
 
     def contacts_with(self, impulse: Array) -> Contacts:
@@ -306,9 +310,9 @@ def rows_at(pose: Coordinates, joints: ExactJoints, found: Features) -> Rows:
     total, jacobian = np.empty(count), np.zeros((count, len(pose.values)))
     found.evaluate(pose, total[first:], jacobian[first:])
     if first:
-        held = joints.evaluate(pose)
-        np.negative(held.total, out=total[:first])
-        np.negative(held.jacobian, out=jacobian[:first])
+        joint_rows = joints.evaluate(pose)
+        np.negative(joint_rows.total, out=total[:first])
+        np.negative(joint_rows.jacobian, out=jacobian[:first])
     return Rows(total, jacobian)
 
 
