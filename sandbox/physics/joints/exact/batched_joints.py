@@ -18,7 +18,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     coordinate_indices,
     inertia_of,
     kinetic_energy,
-    planes,
+    translations,
 )
 from sandbox.physics.joints.exact.shake import ExactJoints, parabola
 
@@ -58,7 +58,7 @@ class ManyJoints:
         those at the kick [m, rad, m/s, rad/s].
         """
         here = Coordinates(self._values(pose))
-        planes(here.values)[:, :-1] -= self._origin
+        translations(here.values)[:, :-1] -= self._origin
         motion = self._values(velocity)
         response = self._reaches.evaluate(here).jacobian * self._inverse[:, None]
         impulse, lost = self._newton(here.values, motion, response)

@@ -15,7 +15,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     Rows,
     coordinate_indices,
     inertia_of,
-    planes,
+    translations,
 )
 from sandbox.physics.joints.exact.distance_equations import Reaches, Row
 from sandbox.physics.joints.exact.equation_tables import Equations
@@ -114,7 +114,7 @@ class JointSystem:
     def at(self, pose: Array) -> Coordinates:
         """Return positions, (n, 3), as coordinates relative to the origin."""
         found = coordinates_of(pose)
-        found.plane[:-1] -= self.origin
+        found.position[:-1] -= self.origin
         return found
 
     def coordinates(self) -> tuple[Coordinates, Coordinates]:
@@ -122,7 +122,7 @@ class JointSystem:
         values = np.zeros((2, len(self.inverse)))
         values.reshape(-1)[self._of_state] = self.batch.state().reshape(-1)
         if self.origin:
-            planes(values[0])[:-1] -= self.origin
+            translations(values[0])[:-1] -= self.origin
         return Coordinates(values[0]), Coordinates(values[1])
 
     def evaluate(self, pose: Coordinates) -> Rows:

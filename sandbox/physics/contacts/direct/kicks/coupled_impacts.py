@@ -12,7 +12,11 @@ from sandbox.physics.contacts.direct.solving.newton_method import solve_rows
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.impacts.pile_impacts import Pile
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.joints.exact.constraint_interface import angles, coordinate_indices, planes
+from sandbox.physics.joints.exact.constraint_interface import (
+    angles,
+    coordinate_indices,
+    translations,
+)
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 ROUNDING = 1e-9
@@ -60,7 +64,7 @@ def striking(
 
 def _rounding(kick: Kick, swift: Array) -> Array:
     """Return the rounding errors of the gaps' rates, (k,), from the sizes of velocities, (3 N,)."""
-    around = np.repeat(np.abs(planes(swift)), 2)  # rounding has no direction
+    around = np.repeat(np.abs(translations(swift)), 2)  # rounding has no direction
     speeds = np.abs(kick.rows_at_start.jacobian[kick.layout.gaps]) @ np.append(
         around, angles(swift)
     )

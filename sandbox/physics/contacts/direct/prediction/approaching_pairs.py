@@ -38,7 +38,7 @@ from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.geometry.outline_distance import Outline, outlines
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, planes
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, translations
 
 MOST = 6
 """Two bodies move by at most this multiple of the largest coordinate change, one to the other."""
@@ -207,15 +207,17 @@ class ApproachingPairs:
         """Return whether one of two bodies lets the other pass through from this side."""
         if self._gates is None:
             return False
-        placed, other_placed = ((complex(pose.plane[b]), complex(pose.turned[b])) for b in pair)
+        placed, other_placed = (
+            (complex(pose.position[b]), complex(pose.rotation[b])) for b in pair
+        )
         return self._gates.lets_pass_at(*pair, placed, other_placed)
 
     def _between(self, displacement: Array) -> Array:
         """Return a bound of how much closer displacements, (3 N,) [m], bring each pair [m]."""
         count = len(displacement) // 3
-        plane, turn = planes(displacement), np.abs(displacement[2 * count :])
+        shift, turn = translations(displacement), np.abs(displacement[2 * count :])
         first, second = self._first, self._second
-        return np.asarray(np.abs(plane[first] - plane[second]) + turn[first] + turn[second])
+        return np.asarray(np.abs(shift[first] - shift[second]) + turn[first] + turn[second])
 
     def _within(self, pair: Pair, gap: float) -> bool:
         """Return whether one of two bodies is within the other, and never met from outside."""

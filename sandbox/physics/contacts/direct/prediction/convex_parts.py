@@ -143,8 +143,8 @@ class PlacedParts:
 
     def __init__(self, parts: Sequence[Sequence[ConvexPart]], pose: Coordinates) -> None:
         self._parts, self.pose = parts, pose
-        self._plane: list[complex] = pose.plane.tolist()
-        self._turned: list[complex] = pose.turned.tolist()
+        self._plane: list[complex] = pose.position.tolist()
+        self._turned: list[complex] = pose.rotation.tolist()
         self._known: dict[Pair, ConvexPart] = {}
 
     def part(self, body: int, number: int) -> ConvexPart:
@@ -224,5 +224,5 @@ class ConvexParts:
     def _between(self, pair: Pair, pose: Coordinates) -> Array:
         """Return the distances between the enclosing discs of two bodies' parts: (k, l) [m]."""
         a, b = pair
-        one, other = (pose.plane[c] + self._middle[c] * pose.turned[c] for c in pair)
+        one, other = (pose.position[c] + self._middle[c] * pose.rotation[c] for c in pair)
         return np.asarray(np.abs(one[:, None] - other) - self._radius[a][:, None] - self._radius[b])

@@ -24,7 +24,7 @@ from sandbox.physics.geometry.curve_contacts import verdict
 from sandbox.physics.geometry.outline_distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.root_finding import root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.space_arrays import Booleans
@@ -71,7 +71,7 @@ class _Line(NamedTuple):
     body; for a whole circle, which looks the same as it turns, it is that of its centre [m].
     """
 
-    points: Plane
+    points: Complexes
     near: float
     reach: float
 
@@ -148,10 +148,10 @@ class HollowPairs:
     def gap(self, pair: Pair, pose: Coordinates) -> float:
         """Return a lower bound of the distance between two bodies [m]."""
         hollow, other = self._in_order(pair)
-        line, rotation = self._lines[hollow], complex(pose.turned[hollow])
-        points = complex(pose.plane[hollow]) + line.points * rotation
-        points -= complex(pose.plane[other])
-        points /= complex(pose.turned[other])
+        line, rotation = self._lines[hollow], complex(pose.rotation[hollow])
+        points = complex(pose.position[hollow]) + line.points * rotation
+        points -= complex(pose.position[other])
+        points /= complex(pose.rotation[other])
         pieces = [shape.piece for shape in self._shapes[other] if shape.piece.corner is None]
         return min(_distance(points, piece) for piece in pieces) - line.near
 
@@ -261,7 +261,7 @@ class HollowPairs:
 
 def placed(pair: Pair, pose: Coordinates) -> Poses:
     """Return the positions and rotations of two bodies."""
-    one, other = ((complex(pose.plane[body]), complex(pose.turned[body])) for body in pair)
+    one, other = ((complex(pose.position[body]), complex(pose.rotation[body])) for body in pair)
     return one, other
 
 
@@ -289,7 +289,7 @@ def _hit(path: Path, time: float, corner: HollowCorner) -> Hit:
     return Hit(time, (a, b), normal, (point,), dot(normal, other - one))
 
 
-def _distance(points: Plane, piece: Piece) -> float:
+def _distance(points: Complexes, piece: Piece) -> float:
     """Return the least distance of points outside a shape from it [m]."""
     ends = np.array(piece.core)
     starts = np.roll(ends, 1)

@@ -72,11 +72,13 @@ class Separation:
 
         For its acceleration relative to the side see `_turning` in `time_of_impact`.
         """
-        plane, duration = self._start.pose.plane, self._duration
+        position, duration = self._start.pose.position, self._duration
         acceleration = abs(corner.acceleration - side.acceleration) + corner.bend
         relative_speed = abs(corner.velocity - side.velocity) + corner.reach * corner.spin
         fastest = relative_speed + acceleration * duration
-        farthest = float(abs(plane[pair[1]] - plane[pair[0]])) + corner.reach + fastest * duration
+        farthest = (
+            float(abs(position[pair[1]] - position[pair[0]])) + corner.reach + fastest * duration
+        )
         turns = 2 * side.spin * fastest + (side.twist + side.spin * side.spin) * farthest
         return self._sag(acceleration + turns)
 

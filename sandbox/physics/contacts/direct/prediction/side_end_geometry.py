@@ -15,7 +15,7 @@ from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.arc_contacts import Piece
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 
 class EndCrossing(NamedTuple):
@@ -47,8 +47,8 @@ class EndCrossing(NamedTuple):
     def point_on_side(self, pose: Coordinates) -> complex:
         """Return the point that passes, along the axes of the body with the side [m]."""
         own, other = self.bodies
-        offset = pose.plane[other] + self.point * pose.turned[other] - pose.plane[own]
-        return complex(offset / pose.turned[own])
+        offset = pose.position[other] + self.point * pose.rotation[other] - pose.position[own]
+        return complex(offset / pose.rotation[own])
 
 
 class PointsOnSides(NamedTuple):
@@ -64,7 +64,7 @@ class PointsOnSides(NamedTuple):
     side: Integers
     other: Integers
     number: Integers
-    point: Plane
+    point: Complexes
     along_side: Array
     begin: Array
     end: Array
@@ -73,7 +73,7 @@ class PointsOnSides(NamedTuple):
     @classmethod
     def at(cls, kick: Kick, sides: Sides) -> "PointsOnSides":
         """Return the points of a kick."""
-        features, rotation, plane = kick.features, kick.pose.turned, kick.pose.plane
+        features, rotation, position = kick.features, kick.pose.rotation, kick.pose.position
         bodies, each = kick.layout.touching.bodies, np.arange(len(kick.layout.touching.pair))
         own = np.where(features.side[each] == bodies[0], 0, 1)
         side, other = bodies[own, each], bodies[1 - own, each]
@@ -81,7 +81,7 @@ class PointsOnSides(NamedTuple):
         out = features.normal[each] * (1 - 2 * own)
         on, _ = sides.facing(side, out, features.points[own, each])
         lies, along = sides.facing(other, -out * rotation[side] / rotation[other], point)
-        offset = (plane[other] + point * rotation[other] - plane[side]) / rotation[side]
+        offset = (position[other] + point * rotation[other] - position[side]) / rotation[side]
         seen = (offset * out.conj()).imag
         before = np.where(lies, along[:, None] - sides.begin[other], 0.0).max(axis=1)
         after = np.where(lies, sides.end[other] - along[:, None], 0.0).max(axis=1)

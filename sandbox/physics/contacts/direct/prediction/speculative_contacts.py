@@ -46,7 +46,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     Coordinates,
     angles,
     coordinate_indices,
-    planes,
+    translations,
 )
 
 LOOKS = 30
@@ -215,8 +215,8 @@ class SpeculativeContacts:
         far = turn * np.minimum(reach[a], reach[b]) > LEAST
         slides = self._slides[a, b]
         if np.count_nonzero(slides):
-            plane = planes(displacement)
-            far |= slides & (np.abs(plane[a] - plane[b]) + turn > LEAST)
+            shift = translations(displacement)
+            far |= slides & (np.abs(shift[a] - shift[b]) + turn > LEAST)
         if not np.count_nonzero(far):
             return []
         # where sides of equal height meet at a small angle, both points are at the same end

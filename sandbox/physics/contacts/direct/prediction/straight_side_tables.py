@@ -10,7 +10,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexPart
 from sandbox.physics.contacts.direct.rows.contact_outlines import PARALLEL
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 NEAR = 1e-6
 """m, the largest distance of a contact point from its side, and between sides in one line.
@@ -47,11 +47,11 @@ class Sides:
         table = np.full((5, len(sides), max(1, *map(len, sides))), np.nan, dtype=complex)
         for row, own in enumerate(sides):
             table[:, row, : len(own)] = np.array(own, dtype=complex).reshape(-1, 5).T
-        self.normal: Plane = table[0]
+        self.normal: Complexes = table[0]
         self.height, self.begin, self.end, self.rounding = table[1:].real.copy()
         self.any: Booleans = np.array([bool(own) for own in sides], dtype=bool)
 
-    def facing(self, body: Integers, out: Plane, at: Plane) -> tuple[Booleans, Array]:
+    def facing(self, body: Integers, out: Complexes, at: Complexes) -> tuple[Booleans, Array]:
         """Return which sides face a direction and go through a point, or past the core of one.
 
         These are (k, s). Also the positions of the points along them, (k,) [m]. `body`, (k,), are

@@ -30,8 +30,8 @@ from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.geometry.outline_distance import dot
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, planes
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, translations
+from sandbox.physics.state.anchor import Complexes
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
@@ -67,7 +67,7 @@ class SupportEnds:
         arms = np.where(np.isfinite(reach), reach, 0.0) + np.where(self._ends, thickest, 0.0)
         self._weights = np.concatenate((np.ones(2 * len(arms) + 2), arms, (0.0,)))
         self._touching: ContactPoints | None = None  # the points at the last search
-        self._tips: Plane | None = None  # those opposite to sides, if they may change
+        self._tips: Complexes | None = None  # those opposite to sides, if they may change
         self._last_positions = self._weights  # the positions then
         self._clearance = 0.0  # how far all points were from the ends of sides [m]
 
@@ -99,8 +99,8 @@ class SupportEnds:
             return False
         change = (kick.pose.values + displacement - self._last_positions) * self._weights
         if MOST * max_abs(change) >= self._clearance:
-            (a, b), plane, turns = touching.bodies, planes(change), np.abs(angles(change))
-            path_length = np.abs(plane[a] - plane[b]) + turns[a] + turns[b]
+            (a, b), shift, turns = touching.bodies, translations(change), np.abs(angles(change))
+            path_length = np.abs(shift[a] - shift[b]) + turns[a] + turns[b]
             if path_length.max(initial=0.0) >= self._clearance:
                 return False
         if self._tips is None or max_abs(angles(change)) < NEAR:
@@ -119,7 +119,7 @@ class SupportEnds:
         direction = contacts.direction.view(complex)[:, 0].copy()
         for one in {one.contact: one for one in passing}.values():
             foot = complex(
-                kick.pose.plane[one.bodies[0]] + one.foot * kick.pose.turned[one.bodies[0]]
+                kick.pose.position[one.bodies[0]] + one.foot * kick.pose.rotation[one.bodies[0]]
             )
             own = int(contacts.bodies[one.contact, 0] != one.bodies[0])
             at_end = (one.leaves, one.leaves and one.extra_distance is not None)
@@ -146,14 +146,14 @@ class SupportEnds:
 
         0 if it moves away from all its sides.
         """
-        plane, rotation = kick.pose.plane, kick.pose.turned
-        velocity, spin = planes(motion), angles(motion)
+        position, rotation = kick.pose.position, kick.pose.rotation
+        velocity, spin = translations(motion), angles(motion)
         owner, other = (
-            velocity[body] + 1j * spin[body] * (foot - plane[body]) for body in one.bodies
+            velocity[body] + 1j * spin[body] * (foot - position[body]) for body in one.bodies
         )
         body = one.bodies[1]
         relative_path = (owner - other) / rotation[body]
-        sides = self._sides.at(body, complex((foot - plane[body]) / rotation[body]))
+        sides = self._sides.at(body, complex((foot - position[body]) / rotation[body]))
         speeds = [
             (dot(1j * direction * normal, relative_path), normal) for normal, _, direction in sides
         ]
@@ -258,7 +258,7 @@ def _comes_down(kick: Kick, one: EndCrossing, end: Coordinates) -> bool:
     return abs(dot(one.point_on_side(end) - one.foot, 1j * one.direction)) < reach
 
 
-def _tips(kick: Kick) -> Plane:
+def _tips(kick: Kick) -> Complexes:
     """Return the contact points of the bodies opposite to sides, along their axes: (k,) [m]."""
     touching, features = kick.layout.touching, kick.features
     count = len(touching.pair)

@@ -7,7 +7,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.plane_curve import MiddleLine
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 PARALLEL = 1e-6
 """rad, the largest angle between a side's normal and that of a contact on it."""
@@ -28,8 +28,8 @@ class Figure(NamedTuple):
     """
 
     radius: float
-    normals: Plane
-    corners: Plane
+    normals: Complexes
+    corners: Complexes
     rounding: float
     inner: float = 0.0
     center: complex = 0j
@@ -98,11 +98,11 @@ class Outlines(NamedTuple):
     radius: Array
     rounding: Array
     inner: Array
-    normals: Plane
+    normals: Complexes
     sharp: Booleans
     sided: bool
 
-    def sides(self, direction: Plane) -> tuple[Plane, Array]:
+    def sides(self, direction: Complexes) -> tuple[Complexes, Array]:
         """Return the normals that are nearest to directions, along their own axes: (2, k).
 
         Also how far they are off, (2, k) [rad]: infinity where there are no sides.
@@ -114,21 +114,23 @@ class Outlines(NamedTuple):
         normals, off = (np.take_along_axis(of, nearest, -1)[..., 0] for of in (self.normals, off))
         return normals, off.real
 
-    def from_corners(self, points: Plane) -> Array:
+    def from_corners(self, points: Complexes) -> Array:
         """Return how far points are from the nearest corner, along their own axes: (2, k) [m]."""
         rounding = self.rounding[..., None]
         off = np.abs(self.figures.corners[self.body] - points[..., None]) - rounding
         return np.asarray(np.abs(off).min(axis=-1))
 
-    def round(self, where: Plane, turned: Plane, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
+    def round(
+        self, where: Complexes, rotation: Complexes, n: Complexes, middle: Complexes
+    ) -> tuple[Booleans, Complexes]:
         """Return whether they are round at the contact points, and their centres: (2, k).
 
-        `where` and `turned`, (2, k), are the positions of the bodies, and their rotations as unit
+        `where` and `rotation`, (2, k), are the positions of the bodies, and their rotations as unit
         complex numbers; `n` and `middle`, (k,), are the normals and the contact points.
         """
         if self.figures.plain:
             return self.rounds, where
-        center = where + self.figures.center[self.body] * turned
+        center = where + self.figures.center[self.body] * rotation
         out = middle - center
         is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
         return self.rounds & ~(self.figures.ends[self.body] & is_end), center
@@ -140,7 +142,7 @@ class Outlines(NamedTuple):
         return np.where(is_round, radius, ends)
 
 
-def _padded(rows: list[Plane]) -> Plane:
+def _padded(rows: list[Complexes]) -> Complexes:
     """Return rows of different lengths, one at least, as a table padded with infinity."""
     table = np.full((len(rows), max([1, *map(len, rows)])), np.inf, dtype=complex)
     for row, known in zip(table, rows, strict=True):

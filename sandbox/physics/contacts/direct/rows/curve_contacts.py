@@ -20,7 +20,7 @@ from sandbox.physics.contacts.direct.rows.contact_outlines import Figures
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.geometry.plane_curve import CurvePoint, MiddleLine
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 ACROSS = 1e-7
 """m, how far beyond its end a curve still counts as touched from the side, and not at its end."""
@@ -86,9 +86,9 @@ class CurveContact:
 def on_curves(
     figures: Figures,
     bodies: Integers,
-    normal: Plane,
-    points: Plane,
-    placed: tuple[Plane, Plane],
+    normal: Complexes,
+    points: Complexes,
+    placed: tuple[Complexes, Complexes],
 ) -> Iterator[CurveContact]:
     """Yield the contact points on curves, but for their ends, which count as discs.
 
@@ -107,15 +107,15 @@ def on_curves(
                 else:
                     radius = figures.rounding[other]
                     position += out * radius
-                where, turned = (complex(values[curve]) for values in placed)
-                touched, at = (on_curve - where) / turned, (position - where) / turned
+                where, rotation = (complex(values[curve]) for values in placed)
+                touched, at = (on_curve - where) / rotation, (position - where) / rotation
                 near = middle_line.foot_point(touched) or _end(
                     middle_line, touched, figures.rounding[curve]
                 )
                 if near:
                     foot = middle_line.foot_point_near(at, near.parameter)
                     left = 1j * foot.tangent
-                    hand = 1 if dot(out / turned, left) >= 0 else -1
+                    hand = 1 if dot(out / rotation, left) >= 0 else -1
                     start = dot(at - foot.point, left)
                     yield CurveContact(
                         point, curve, other, sign, middle_line, foot, hand, start, radius
@@ -133,9 +133,9 @@ def _end(middle_line: MiddleLine, point: complex, half: float) -> CurvePoint | N
 
 def follow_curves(
     curved: Sequence[CurveContact],
-    placed: tuple[Plane, Plane],
-    arms: Plane,
-    rows: tuple[Array, Array, Plane, Plane],
+    placed: tuple[Complexes, Complexes],
+    arms: Complexes,
+    rows: tuple[Array, Array, Complexes, Complexes],
 ) -> None:
     """Set the rows of contact points on curves.
 
@@ -144,12 +144,12 @@ def follow_curves(
     """
     gap, slip, along, across = rows
     for one in curved:
-        where, turned = placed[0], complex(placed[1][one.curve])
+        where, rotation = placed[0], complex(placed[1][one.curve])
         own, other = arms[:: one.sign]
         way = complex(where[one.other] + other[one.point] - where[one.curve])
-        found = one.evaluate(way / turned)
+        found = one.evaluate(way / rotation)
         gap[one.point], slip[one.point] = found.gap, found.slip
-        along[one.point] = one.sign * found.normal * turned
+        along[one.point] = one.sign * found.normal * rotation
         across[one.point] = 1j * along[one.point] * found.fraction
         own[one.point] = way
 

@@ -16,7 +16,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     Rows,
     angles,
     blur,
-    planes,
+    translations,
 )
 from sandbox.physics.joints.exact.joint_system import KeptLengths
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
@@ -144,7 +144,7 @@ class Kick:
         guest = (self.features.side[each] == touching.bodies[0]).astype(np.intp)
         body, sense = touching.bodies[guest, each], 1 - 2 * guest
         arm = self.features.points[guest, each]
-        first, last = (at.plane[body] + arm * at.turned[body] for at in (self.pose, pose))
+        first, last = (at.position[body] + arm * at.rotation[body] for at in (self.pose, pose))
         old, new = (
             kick.contacts.direction.view(complex).take(touching.pair) for kick in (self, moved)
         )
@@ -239,7 +239,7 @@ class Kick:
     @cached_property
     def acts(self) -> Booleans:
         """Which bodies each row acts on: (r, n)."""
-        acts = (planes(self.response) != 0) | (angles(self.response) != 0)
+        acts = (translations(self.response) != 0) | (angles(self.response) != 0)
         return np.asarray(acts[:, :-1])
 
     @cached_property
