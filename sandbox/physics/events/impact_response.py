@@ -15,7 +15,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
 from sandbox.physics.contacts.impacts.contact_kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.impacts.pile_impacts import pushes
-from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum
@@ -102,18 +102,23 @@ class _Points(NamedTuple):
     belt_slip: Array
     """(k,), the slip due to running belts [m/s]."""
 
+    def of_rows(self, rows: Integers) -> "_Points":
+        """Return some of the rows, with the Delassus matrix of all."""
+        return self._replace(
+            jacobian=self.jacobian[rows],
+            response=self.response[rows],
+            belt_slip=self.belt_slip[rows],
+        )
+
 
 class Collision:
     """Computes how the n bodies of a scene bounce off each other, in steps of dt [s]."""
 
     def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
         self._coefficients, self._dt = coefficients, dt
-        self.surface_velocity = surfaces(scene.bodies.values())
-        self._mass, self._inertia, self._inverse_mass = (
-            scene.mass,
-            scene.inertia,
-            scene.inverse_mass,
-        )
+        self._surface_velocity = surfaces(scene.bodies.values())
+        self._is_kinematic = scene.mass == 0
+        self._inertia, self._inverse_mass = scene.inertia, scene.inverse_mass
 
     def restitution(self, hit: Hit) -> float:
         """Return the coefficient of restitution of a hit's pair."""
@@ -127,24 +132,18 @@ class Collision:
         driven together, that is the next impact. If the hits are `dead`, nothing bounces, whatever
         its coefficient.
         """
-        time, hit_of_point = (
-            hits[0].time,
-            np.repeat(range(len(hits)), [len(hit.points) for hit in hits]),
-        )
-        pose, velocity = path.at(time)
-        restitution, mu = (
-            np.array([table[hit.bodies] for hit in hits])[hit_of_point]
-            for table in self._coefficients
-        )
-        jacobian, response, delassus, belt_slip = self._points(
-            hits, pose, has_friction=bool(mu.any())
-        )
+        hit_of_point = np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
+        time, (pose, velocity) = hits[0].time, path.at(hits[0].time)
+        tables = (np.array([table[hit.bodies] for hit in hits]) for table in self._coefficients)
+        restitution, mu = (table[hit_of_point] for table in tables)
+        points = self._points(hits, pose, has_friction=bool(mu.any()))
+        jacobian, response, delassus, belt_slip = points
         count = len(hit_of_point)
         rates = np.einsum("knc,nc->k", jacobian, velocity) + belt_slip
         normal_acceleration = np.einsum("knc,nc->k", jacobian[:count], path.acceleration)
         separation_rate = -(0.0 if dead else restitution) * np.minimum(rates[:count], 0.0)
-        leaving_points = separation_rate > np.maximum(-normal_acceleration, 0.0) * (self._dt / 2)
-        rests = (np.bincount(hit_of_point, leaving_points) == 0)[hit_of_point]
+        leaves = separation_rate > np.maximum(-normal_acceleration, 0.0) * (self._dt / 2)
+        rests = (np.bincount(hit_of_point, leaves) == 0)[hit_of_point]
         separation_rate[rests] = 0.0
         impulse = _impulses(delassus, rates, separation_rate, mu)
         work = impulse * (rates + delassus @ impulse / 2)
@@ -158,35 +157,48 @@ class Collision:
             resting_forces[:count][rests] = _impulses(
                 block, normal_acceleration[rests], np.zeros(len(block)), mu[rests]
             )
-        resting_time = (self._dt - time) - self._dt / 2
+        resting_impulse = resting_forces * ((self._dt - time) - self._dt / 2)
+        hit_of_row = np.append(hit_of_point, hit_of_point[: len(rates) - count])
         impacts = []
         for index, hit in enumerate(hits):
-            rows = np.flatnonzero(
-                np.append(hit_of_point, hit_of_point[: len(rates) - count]) == index
-            )
-            impulse_of_hit, resting_impulse = impulse[rows], resting_forces[rows] * resting_time
-            total_impulse = np.einsum("k,knc->nc", impulse_of_hit + resting_impulse, jacobian[rows])
-            kinematic_work = -float(np.sum((total_impulse * velocity)[self._mass == 0]))
-            added_momentum = self._momentum(impulse_of_hit, response[rows], pose)
-            belt_work = -float(impulse_of_hit @ belt_slip[rows])
-            impacts.append(
-                _impact(hit, impulse_of_hit, work[rows], kinematic_work, belt_work, added_momentum)
-            )
+            rows = np.flatnonzero(hit_of_row == index)
+            values = (impulse[rows], resting_impulse[rows], work[rows])
+            impacts.append(self._impact(hit, points.of_rows(rows), values, (pose, velocity)))
+        jump, change = (np.tensordot(sizes, response, 1) for sizes in (impulse, resting_forces))
         struck: Booleans = np.asarray(response.any(axis=(0, 2)))
-        jump, acceleration_change = (
-            np.tensordot(sizes, response, 1) for sizes in (impulse, resting_forces)
-        )
-        return Bounce(struck, jump, acceleration_change, tuple(impacts))
+        return Bounce(struck, jump, change, tuple(impacts))
 
-    def _momentum(self, impulse: Array, response: Array, pose: Array) -> Array:
-        """Return the total momentum that impulses (k,) add: (3,)."""
-        return momentum(self._inertia * np.einsum("k,knc->nc", impulse, response), pose)
+    def _impact(
+        self,
+        hit: Hit,
+        points: _Points,
+        values: tuple[Array, Array, Array],
+        motion: tuple[Array, Array],
+    ) -> Impact:
+        """Return the impact of a hit with k rows, given the poses and velocities before it.
+
+        `values` are the impulses of the impact, those of resting until the next kick [N s], and the
+        works of the former [J]: (k,) each, normal before friction.
+        """
+        (impulse, resting_impulse, work), (pose, velocity) = values, motion
+        count, jacobian = len(hit.points), points.jacobian
+        total_impulse = np.einsum("k,knc->nc", impulse + resting_impulse, jacobian)
+        jump = np.einsum("k,knc->nc", impulse, points.response)
+        return Impact(
+            *(hit.bodies, hit.time, hit.normal, hit.points),
+            impulse=hit.normal * complex(impulse[:count].sum(), impulse[count:].sum()),
+            kinematic_work=-float(np.sum((total_impulse * velocity)[self._is_kinematic])),
+            belt_work=-float(impulse @ points.belt_slip),
+            friction_work=float(work[count:].sum()),
+            normal_work=float(work[:count].sum()),
+            momentum=momentum(self._inertia * jump, pose),
+        )
 
     def _points(self, hits: Sequence[Hit], pose: Array, *, has_friction: bool) -> _Points:
         jacobian = _jacobian(hits, pose, has_friction=has_friction)
         response = jacobian * self._inverse_mass
         delassus = np.einsum("knc,lnc->kl", response, jacobian)
-        belt_slip = np.einsum("knc,nc->k", jacobian[..., :2], self.surface_velocity)
+        belt_slip = np.einsum("knc,nc->k", jacobian[..., :2], self._surface_velocity)
         belt_slip[: sum(len(hit.points) for hit in hits)] = 0.0  # belts run along the surface only
         return _Points(jacobian, response, delassus, belt_slip)
 
@@ -217,30 +229,6 @@ def _jacobian(hits: Sequence[Hit], pose: Array, *, has_friction: bool) -> Array:
 def _vectors(points: NDArray[np.complexfloating]) -> Array:
     """Return points of the plane as x and y: (k, 2)."""
     return points.view(float).reshape(-1, 2)
-
-
-def _impact(
-    hit: Hit,
-    impulse: Array,
-    work: Array,
-    kinematic_work: float,
-    belt_work: float,
-    added_momentum: Array,
-) -> Impact:
-    """Return the impact for a hit, given impulses and works: normal before friction."""
-    count = len(hit.points)
-    total_impulse = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
-    friction_work, normal_work = float(work[count:].sum()), float(work[:count].sum())
-    hit_data = hit.bodies, hit.time, hit.normal, hit.points
-    return Impact(
-        *hit_data,
-        total_impulse,
-        kinematic_work,
-        belt_work,
-        friction_work,
-        normal_work,
-        added_momentum,
-    )
 
 
 def _impulses(delassus: Array, rates: Array, separation_rate: Array, mu: Array) -> Array:
