@@ -35,8 +35,10 @@ def paint(space: Workspace) -> None:
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
     if space.help:
         rows = page(space.panels.page).own_keys() if space.maker is not None else ()
-        told = rows or stage_messages.everywhere()
-        space.sheets = stage_messages.draw_help(surface, space.pen, layout.stage, told, space.help)
+        messages = rows or stage_messages.everywhere()
+        space.sheets = stage_messages.draw_help(
+            surface, space.pen, layout.stage, messages, space.help
+        )
 
 
 def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:

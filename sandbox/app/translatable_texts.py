@@ -95,15 +95,15 @@ def _of_the_format() -> Iterator[str]:
             yield from editable_fields.choices_of(field.annotation)
 
 
-def _models(kind: Any, known: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
+def _models(kind: Any, visited: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
     """Yield the models that a type consists of, except known ones."""
     kind = editable_fields.bare(kind)
     parts: Iterable[Any] = get_args(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
-        if kind in known:
+        if kind in visited:
             return
-        known.add(kind)
+        visited.add(kind)
         yield kind
         parts = (field.annotation for field in kind.model_fields.values())
     for part in parts:
-        yield from _models(part, known)
+        yield from _models(part, visited)

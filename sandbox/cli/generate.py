@@ -14,7 +14,7 @@ def generate(kind: str, bodies: int, output: Path) -> None:
     """Write a level with a number of bodies."""
     check_writable(output)
     document = crowd(kind, bodies)
-    said = text(document)
-    parse(said, str(output))
-    write_atomically(output, said)
+    content = text(document)
+    parse(content, str(output))
+    write_atomically(output, content)
     typer.echo(f"{output}: {document['title']}; watch it with 'play {output}'")

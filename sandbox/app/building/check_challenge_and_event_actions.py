@@ -50,8 +50,8 @@ def stated(work: EditedLevel) -> list[ButtonAction]:
         )
         for name in level.ghosts
     ]
-    told = [*checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
-    return [*adding, *_challenge(work, level, moving), *_waiting(work, level), *told]
+    parts = [*checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
+    return [*adding, *_challenge(work, level, moving), *_waiting(work, level), *parts]
 
 
 def _cut(title: str) -> str:
@@ -93,8 +93,8 @@ def _waiting(work: EditedLevel, level: Level) -> list[ButtonAction]:
 
 
 def _wait(work: EditedLevel, event: str) -> None:
-    said = say("let {event} wait for a quantity", event=event)
-    work.change(said, lambda text, level: events.wait_for_quantity(text, level, event))
+    caption = say("let {event} wait for a quantity", event=event)
+    work.change(caption, lambda text, level: events.wait_for_quantity(text, level, event))
 
 
 def _check(work: EditedLevel, body: str) -> None:
@@ -104,5 +104,5 @@ def _check(work: EditedLevel, body: str) -> None:
 
 
 def _drop(work: EditedLevel, part: Literal["checks", "ghosts"], which: int | str) -> None:
-    said = say("take out a check") if part == "checks" else say("take out a ghost")
-    work.change(said, lambda text, _: drop_check_or_ghost(text, part, which))
+    caption = say("take out a check") if part == "checks" else say("take out a ghost")
+    work.change(caption, lambda text, _: drop_check_or_ghost(text, part, which))

@@ -29,8 +29,8 @@ def offers(editor: Editor, session: Session) -> list[RecoveryChoice]:
     """Return the present choices."""
     found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
     if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
-        ways = tuple(_going_on(draft, editor, session) for draft in others)
-        found.append(RecoveryChoice(say("Unsaved drawings:"), ways))
+        actions = tuple(_going_on(draft, editor, session) for draft in others)
+        found.append(RecoveryChoice(say("Unsaved drawings:"), actions))
     if editor.drafts.outside:
         tip = say("read the file; Ctrl+Z brings your version back")
         reading = ButtonAction(say("Read it"), tip, editor.saving.reload)

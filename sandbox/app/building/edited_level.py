@@ -84,10 +84,10 @@ class EditedLevel:
         """Return the result of a function of the level, cached until the level changes."""
         if self._looked[0] is not self.version:
             self._looked = self.version, {}
-        known = self._looked[1]
-        if look not in known:
-            known[look] = look(self.level)
-        found: Found = known[look]
+        computed = self._looked[1]
+        if look not in computed:
+            computed[look] = look(self.level)
+        found: Found = computed[look]
         return found
 
     def show(self) -> None:
@@ -105,7 +105,7 @@ class EditedLevel:
 
     # changes
 
-    def put(self, text: str, said: str, merge: str | None = None) -> None:
+    def put(self, text: str, caption: str, merge: str | None = None) -> None:
         """Replace the text; suggested checks are adapted to it."""
         if text != self.text:
             text = self._followed(text)
@@ -113,7 +113,7 @@ class EditedLevel:
                 self.tell(
                     say("Repeated parts and groups are written out now; Ctrl Z brings them back")
                 )
-            self.draft.change(text, said, merge)
+            self.draft.change(text, caption, merge)
             self._left.clear()
         self.refresh()
 
@@ -125,11 +125,11 @@ class EditedLevel:
         return found
 
     def change(
-        self, said: str, edit: Callable[[str, Level], str], merge: str | None = None
+        self, caption: str, edit: Callable[[str, Level], str], merge: str | None = None
     ) -> bool:
         """Change the level, and return whether that was possible."""
         try:
-            self.put(edit(self.text, self.level), said, merge)
+            self.put(edit(self.text, self.level), caption, merge)
         except LevelError as error:
             self.tell(say(_first(error.mistakes)))
             return False
@@ -152,7 +152,7 @@ class EditedLevel:
         return _first(self.draft.mistakes)
 
     def make(
-        self, said: str, edit: Callable[[str, Level], EditResult], family: str = "bodies"
+        self, caption: str, edit: Callable[[str, Level], EditResult], family: str = "bodies"
     ) -> bool:
         """Add parts to the level and select them, and return whether that was possible."""
         names: list[str] = []
@@ -162,7 +162,7 @@ class EditedLevel:
             names.extend(found.names)
             return found.text
 
-        done = self.change(said, made)
+        done = self.change(caption, made)
         if done:
             self.select([(family, name) for name in names])
         return done
@@ -189,8 +189,8 @@ class EditedLevel:
         """Delete the selection."""
         names = [name for _, name in self.selected]
         if names:
-            said = say("delete {names}", names=", ".join(names))
-            self.change(said, lambda text, level: bodies.remove_parts(text, level, names))
+            caption = say("delete {names}", names=", ".join(names))
+            self.change(caption, lambda text, level: bodies.remove_parts(text, level, names))
 
     def nudge(self, across: int, upwards: int, share: float) -> None:
         """Move the selected bodies by a share of a step of the grid."""
@@ -238,11 +238,11 @@ class EditedLevel:
 
     def select(self, parts: Sequence[Part]) -> None:
         """Replace the selection by those parts that exist."""
-        there: Mapping[str, Collection[str]] = {
+        existing: Mapping[str, Collection[str]] = {
             "bodies": self.sketch.bodies,
             "joints": self.sketch.joints,
         }
-        self.selected = tuple((f, n) for f, n in parts if n in there[f])
+        self.selected = tuple((f, n) for f, n in parts if n in existing[f])
         self.show()
 
     def select_all(self) -> None:

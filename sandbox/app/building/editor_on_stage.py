@@ -85,9 +85,9 @@ class EditorOnStage:
 
     def _spot_at(self, pixel: XY) -> MousePosition:
         """Return the position of the mouse; while Alt is held it does not snap."""
-        bench, held = self._tools.bench, pygame.key.get_mods()
+        bench, modifiers = self._tools.bench, pygame.key.get_mods()
         free = bench.camera.to_world(pixel)
-        shift, loose = bool(held & pygame.KMOD_SHIFT), bool(held & pygame.KMOD_ALT)
+        shift, loose = bool(modifiers & pygame.KMOD_SHIFT), bool(modifiers & pygame.KMOD_ALT)
         catch = partial(bench.snapping.point, in_line=self._tools.tool == "join")
         return MousePosition(pixel, free, shift, loose, catch)
 

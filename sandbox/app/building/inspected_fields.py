@@ -47,8 +47,8 @@ def subject(work: EditedLevel) -> str:
         case ():
             return say("The level")
         case ((family, name),):
-            said = work.document[family][name]
-            kind = said["type"] if family == "joints" else said["shape"]["type"]
+            part = work.document[family][name]
+            kind = part["type"] if family == "joints" else part["shape"]["type"]
             return f"{name}: {say(kind)}"
         case several:
             return plural("{count} part", "{count} parts", len(several))
@@ -60,9 +60,9 @@ def rows(work: EditedLevel) -> Sequence[Row]:
         case () if not work.fixed:
             return editable_fields.rows(Level, work.document, ())
         case ((family, name),):
-            said = work.document[family][name]
-            model = Body if family == "bodies" else editable_fields.model_of(Joint, said)
-            found = editable_fields.rows(model, said, (family, name)) if model else ()
+            part = work.document[family][name]
+            model = Body if family == "bodies" else editable_fields.model_of(Joint, part)
+            found = editable_fields.rows(model, part, (family, name)) if model else ()
             called = EditableField(
                 (family, name), say("name"), say(NAMED), "", "text", name, required=True
             )
@@ -190,12 +190,12 @@ def declared(work: EditedLevel) -> tuple[str, ...]:
 def switch(work: EditedLevel, effect: str) -> None:
     """Switch an effect on, with default settings, or off."""
     if effect in declared(work):
-        said = say("switch {effect} off", effect=say(effect))
-        work.change(said, lambda text, level: effects.drop(text, level, effect))
+        caption = say("switch {effect} off", effect=say(effect))
+        work.change(caption, lambda text, level: effects.drop(text, level, effect))
     else:
-        said = say("switch {effect} on", effect=say(effect))
+        caption = say("switch {effect} on", effect=say(effect))
         example = None if effect in DEFAULTS else _example(work, effect)
-        work.change(said, lambda text, level: effects.declare(text, level, effect, example))
+        work.change(caption, lambda text, level: effects.declare(text, level, effect, example))
 
 
 def _example(work: EditedLevel, effect: str) -> Mapping[str, Any]:

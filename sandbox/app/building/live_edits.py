@@ -71,7 +71,7 @@ class EditableRun(EditedLevel):
         if self.stands:
             self.stands, self.session.playing = False, self.session.failure is None
 
-    def put(self, text: str, said: str, merge: str | None = None) -> None:
+    def put(self, text: str, caption: str, merge: str | None = None) -> None:
         """Let the run continue with a changed text.
 
         Raises `SandboxError` if it cannot; nothing is changed then.
@@ -81,9 +81,9 @@ class EditableRun(EditedLevel):
         if text == self.text:
             return
         self.session.alter(text)
-        super().put(text, said, merge)
+        super().put(text, caption, merge)
         self._seen = self._now
-        change = f"{said[:1].upper()}{said[1:]}"
+        change = f"{caption[:1].upper()}{caption[1:]}"
         self.tell(say("{change}, at {t:.2f} s", change=change, t=self.session.t))
 
     def part_at(self, pixel: XY) -> Part | None:

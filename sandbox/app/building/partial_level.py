@@ -56,8 +56,8 @@ class PartCache(Generic[Part]):
     def __call__(self, text: str) -> Part | None:
         """Return the part; None if it cannot be read."""
         if text not in self._now:
-            known = text in self._before
-            self._now[text] = self._before[text] if known else self._made(text)
+            is_known = text in self._before
+            self._now[text] = self._before[text] if is_known else self._made(text)
         return self._now[text]
 
     def _made(self, text: str) -> Part | None:
@@ -215,10 +215,12 @@ def _numbers(parameters: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
             yield name, float(value)
 
 
-def _with_constants(parameters: Mapping[str, float], said: Mapping[str, Any]) -> dict[str, float]:
+def _with_constants(
+    parameters: Mapping[str, float], document: Mapping[str, Any]
+) -> dict[str, float]:
     """Return the values of the parameters, and of those constants that can be evaluated."""
     values, constants = dict(parameters), dict[str, Expression]()
-    for name, formula in said.items():
+    for name, formula in document.items():
         with suppress(SandboxError, TypeError):
             constants[name] = Expression(formula)
     let_use(constants.values(), constants)

@@ -96,8 +96,8 @@ def _stalk(bodies: Sequence[DrawableBody], camera: Camera) -> tuple[XY, XY]:
     (body,) = bodies
     left, _, right, top = size_of(body)
     x, y = camera.to_screen(in_plane(body, ((left + right) / 2, top)))
-    way = rect(STALK, body.angle)
-    return (x, y), (x - way.imag, y - way.real)
+    direction = rect(STALK, body.angle)
+    return (x, y), (x - direction.imag, y - direction.real)
 
 
 def at(handles: list[Handle], pixel: XY) -> Handle | None:
@@ -131,8 +131,8 @@ def dragged(body: DrawableBody, index: int, to: XY) -> list[XY]:
         upwards = _stretched(top, side[1], y)
         return [(across[px > 0], upwards[py > 0]) for px, py in points]
     if body.outline.radius is not None or isinstance(body.spec.shape, Arc):
-        held = _of_shape(body)[index]
-        factor = hypot(x, y) / (hypot(*held) or 1.0)
+        handle = _of_shape(body)[index]
+        factor = hypot(x, y) / (hypot(*handle) or 1.0)
         return [(px * factor, py * factor) for px, py in points]
     points[index] = x, y
     return points

@@ -73,8 +73,8 @@ class TrialRuns:
 
     def is_taken_back(self, session: Session) -> bool:
         """Return whether the run is at the step at which a change was undone."""
-        here = session.world.steps, session.sought
-        return bool(self._undone) and here == (self._undone[-1].step, None)
+        position = session.world.steps, session.sought
+        return bool(self._undone) and position == (self._undone[-1].step, None)
 
     def do_again(self, session: Session) -> bool:
         """Redo a change that was undone at this step, and return whether there was one.

@@ -22,9 +22,9 @@ def near(points: Sequence[XY]) -> bool:
 
 def distance(a: XY, b: XY, point: XY) -> float:
     """Return the distance of a point from the line segment between two others."""
-    along, way = complex(*b) - complex(*a), complex(*point) - complex(*a)
-    share = (way * along.conjugate()).real / abs(along) ** 2 if along else 0.0
-    return abs(way - min(max(share, 0.0), 1.0) * along)
+    along, offset = complex(*b) - complex(*a), complex(*point) - complex(*a)
+    share = (offset * along.conjugate()).real / abs(along) ** 2 if along else 0.0
+    return abs(offset - min(max(share, 0.0), 1.0) * along)
 
 
 def star(center: XY, radius: float) -> list[XY]:
@@ -41,11 +41,11 @@ def cut(corners: Sequence[XY]) -> list[XY]:
 
     For a line, given as two corners, the first two corners are the ends of the clipped line.
     """
-    kept = [(_bounded(x), _bounded(y)) for x, y in corners]
+    remaining = [(_bounded(x), _bounded(y)) for x, y in corners]
     for axis in (0, 1):
         for side in (-1.0, 1.0):
-            kept = _cut(kept, axis, side)
-    return kept
+            remaining = _cut(remaining, axis, side)
+    return remaining
 
 
 def _bounded(length: float) -> float:
@@ -54,16 +54,16 @@ def _bounded(length: float) -> float:
 
 def _cut(corners: list[XY], axis: int, side: float) -> list[XY]:
     """Return the part on one side of an edge; its new corners lie exactly on the edge."""
-    kept: list[XY] = []
+    remaining: list[XY] = []
     for p, q in zip(corners, [*corners[1:], *corners[:1]], strict=True):
         inside, following = side * p[axis] <= EDGE, side * q[axis] <= EDGE
         if inside:
-            kept.append(p)
+            remaining.append(p)
         if inside != following:
             share, other = (side * EDGE - p[axis]) / (q[axis] - p[axis]), 1 - axis
             across = p[other] + (q[other] - p[other]) * share
-            kept.append((across, side * EDGE) if axis else (side * EDGE, across))
-    return kept
+            remaining.append((across, side * EDGE) if axis else (side * EDGE, across))
+    return remaining
 
 
 def seen(surface: pygame.Surface, a: XY, b: XY) -> tuple[float, float]:

@@ -170,8 +170,8 @@ def _mitres(corners: Sequence[XY]) -> Sequence[XY]:
         ((by - ay) / hypot(bx - ax, by - ay), (ax - bx) / hypot(bx - ax, by - ay))
         for (ax, ay), (bx, by) in pairwise(corners)
     ]
-    ways = []
+    directions = []
     for (ax, ay), (bx, by) in pairwise([normals[0], *normals, normals[-1]]):
         size = max(1 + ax * bx + ay * by, SHARP)
-        ways.append(((ax + bx) / size, (ay + by) / size))
-    return ways
+        directions.append(((ax + bx) / size, (ay + by) / size))
+    return directions

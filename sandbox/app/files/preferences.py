@@ -104,5 +104,5 @@ class WindowPreferences:
 
     def next_theme(self) -> str:
         """Choose the theme after this one; see `choose`."""
-        here = NAMES.index(self.chosen.theme)
-        return self.choose(theme=NAMES[(here + 1) % len(NAMES)])
+        index = NAMES.index(self.chosen.theme)
+        return self.choose(theme=NAMES[(index + 1) % len(NAMES)])

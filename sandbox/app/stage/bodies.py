@@ -149,9 +149,9 @@ def draw_heads(
         begun = (begun - piece) % apart
 
 
-def _wedge(surface: pygame.Surface, place: XY, way: XY) -> None:
+def _wedge(surface: pygame.Surface, place: XY, direction: XY) -> None:
     """Draw an arrowhead along a unit vector, with its tip just before a point."""
-    (x, y), (wx, wy) = place, way
+    (x, y), (wx, wy) = place, direction
     base = x - wx * WEDGE[0], y - wy * WEDGE[0]
     side = -wy * WEDGE[2], wx * WEDGE[2]
     corners = [

@@ -58,8 +58,8 @@ def draw_joint(
     if isinstance(joint, Rail) or lines.near(corners):  # a rail is long, and clipped as it is drawn
         LOOKS.get(type(joint), _plain)(surface, corners, slack)
         if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
-            for place, way in _faces(joint, corners):
-                lines.path(surface, theme.SPRING, _buffer(place, way), 2)
+            for place, direction in _faces(joint, corners):
+                lines.path(surface, theme.SPRING, _buffer(place, direction), 2)
 
 
 def draw_crowd(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
@@ -229,9 +229,9 @@ def _faces(joint: Stop | AngleStop, corners: Sequence[XY]) -> Iterator[tuple[XY,
             yield (cx + RAY * ux, cy + RAY * uy), (-sense * uy, sense * ux)
 
 
-def _buffer(place: XY, way: XY) -> list[XY]:
+def _buffer(place: XY, direction: XY) -> list[XY]:
     """Return the points of the short coil behind an elastic stop [px]."""
-    (x, y), (ux, uy) = place, way
+    (x, y), (ux, uy) = place, direction
     aside = (0.0, BUFFER, -BUFFER, BUFFER, -BUFFER, 0.0)
     return [
         (x + ux * BUFFER * i - uy * w, y + uy * BUFFER * i + ux * w) for i, w in enumerate(aside)
@@ -240,9 +240,9 @@ def _buffer(place: XY, way: XY) -> list[XY]:
 
 def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
     """Return the ends of a stop's range [m], given the points of the joint."""
-    way = complex(*evaluate(joint.direction, values))
+    direction = complex(*evaluate(joint.direction, values))
     start = complex(*path[1])
-    places = [start + way / abs(way) * limit(values) for limit in joint.range]
+    places = [start + direction / abs(direction) * limit(values) for limit in joint.range]
     return [(place.real, place.imag) for place in places]
 
 
@@ -251,8 +251,8 @@ def rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]
 
     The angle is that of the reference of the stops [rad].
     """
-    held = joint.ends[1]
-    at = complex(*evaluate(held.at, values)) if isinstance(held, Held) else 0j
+    second = joint.ends[1]
+    at = complex(*evaluate(second.at, values)) if isinstance(second, Held) else 0j
     angle += phase(-at) if at else 0.0
     found = [angle + limit(values) for limit in joint.range]
     return [center, *((center[0] + cos(a), center[1] + sin(a)) for a in found)]

@@ -66,13 +66,13 @@ class JoinTool(Tool):
         super().__init__(bench)
         self.kind = kind
         """The kind of joint, as in a level's file."""
-        self._places: list[Pick] = []
+        self._picks: list[Pick] = []
         self._spot: MousePosition | None = None
 
     def use(self, kind: str) -> None:
         """Change the kind of joint."""
         self.kind = kind
-        self._places.clear()
+        self._picks.clear()
 
     @property
     def _clicks(self) -> Clicks:
@@ -81,21 +81,21 @@ class JoinTool(Tool):
     @property
     def busy(self) -> bool:
         """Whether a point is set."""
-        return bool(self._places)
+        return bool(self._picks)
 
     @property
     def hint(self) -> str:
         """A hint at what to do next."""
         hints = self._clicks.hints
-        return hints[min(len(self._places), len(hints) - 1)]
+        return hints[min(len(self._picks), len(hints) - 1)]
 
     def press(self, spot: MousePosition) -> None:
         """Set the next point, and make the joint with the last."""
         if self._clicks.several and self._ends(spot):
             self.finish()
             return
-        self._places = self._with(spot)
-        if self._complete(self._places, spot):
+        self._picks = self._with(spot)
+        if self._complete(self._picks, spot):
             self._make()
 
     @property
@@ -117,7 +117,7 @@ class JoinTool(Tool):
         found = self._bodies_at(spot)
         if len(self._clicks.hints) == 1:
             return [Pick(spot.point, body) for body in (*found, None, None)[:2]]
-        return [*self._places, Pick(spot.point, found[0] if found else None)]
+        return [*self._picks, Pick(spot.point, found[0] if found else None)]
 
     def _complete(self, places: Sequence[Pick], spot: MousePosition) -> bool:
         """Return whether the last point, clicked here, makes the joint."""
@@ -135,9 +135,9 @@ class JoinTool(Tool):
 
     def _ends(self, spot: MousePosition) -> bool:
         """Return whether a click is the second of a double click."""
-        if len(self._places) < len(self._clicks.hints):
+        if len(self._picks) < len(self._clicks.hints):
             return False
-        last = self._bench.camera.to_screen(self._places[-1].point)
+        last = self._bench.camera.to_screen(self._picks[-1].point)
         return dist(last, self._bench.camera.to_screen(spot.point)) < TOGETHER
 
     def move(self, spot: MousePosition) -> None:
@@ -146,12 +146,12 @@ class JoinTool(Tool):
 
     def finish(self) -> None:
         """Make the joint, if it has enough points."""
-        if self._clicks.several and len(self._places) >= len(self._clicks.hints):
+        if self._clicks.several and len(self._picks) >= len(self._clicks.hints):
             self._make()
 
     def _make(self) -> None:
-        picks = tuple(self._places)
-        self._places.clear()
+        picks = tuple(self._picks)
+        self._picks.clear()
         self._spot = None  # nothing is proposed on top of this joint until the mouse moves
         first, second = (
             name_in_words(pick.body) if pick.body else say("the plane")
@@ -161,20 +161,20 @@ class JoinTool(Tool):
         effects = self._bench.level.effects
         if self.kind == "motor" and effects.contact and effects.friction is None:
             self._bench.tell(say("Without the effect 'friction', a wheel that it drives slips"))
-        said = say("tie a {joint}", joint=say(self.kind))
-        self._bench.make(said, self._tie(picks).edit, "joints")
+        caption = say("tie a {joint}", joint=say(self.kind))
+        self._bench.make(caption, self._tie(picks).edit, "joints")
 
     def cancel(self) -> None:
         """Remove the last point."""
-        if self._places:
-            self._places.pop()
+        if self._picks:
+            self._picks.pop()
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
         """Draw the points, and the line to the mouse with its length."""
-        if not self._places or self._spot is None:
+        if not self._picks or self._spot is None:
             return
         camera, end = self._bench.camera, self._spot.point
-        points = [place.point for place in self._places]
+        points = [place.point for place in self._picks]
         shape_preview.outline(surface, camera, [*points, end])
         shape_preview.dots(surface, camera, points)
         shape_preview.measure(

@@ -122,11 +122,11 @@ class SelectTool(Tool):
     def _choose(self, group: tuple[Part, ...], *, more: bool) -> None:
         """Select a part with its group; with `more`, add it to the selection or remove it."""
         chosen = self._bench.selected
-        there = set(group) <= set(chosen)
+        all_chosen = set(group) <= set(chosen)
         if more:
-            kept = tuple(p for p in chosen if p not in group)
-            self._bench.select(kept if there else (*kept, *group))
-        elif not there:
+            rest = tuple(p for p in chosen if p not in group)
+            self._bench.select(rest if all_chosen else (*rest, *group))
+        elif not all_chosen:
             self._bench.select(group)
 
     @property
@@ -141,8 +141,8 @@ class SelectTool(Tool):
     @property
     def _single(self) -> DrawableBody | None:
         """The selected body, if a single one is selected."""
-        held = self._held
-        return held[0] if len(held) == 1 else None
+        handle = self._held
+        return handle[0] if len(handle) == 1 else None
 
     @property
     def _moved(self) -> list[str]:
@@ -195,10 +195,10 @@ class SelectTool(Tool):
     @property
     def _turn(self) -> float:
         """The rotation of the selection [rad]."""
-        held, start, now = self._held, self._start, self._now
-        if self._doing is not Doing.TURNING or not (held and start and now):
+        handle, start, now = self._held, self._start, self._now
+        if self._doing is not Doing.TURNING or not (handle and start and now):
             return 0.0
-        center, angle = complex(*selection_handles.middle(held)), self._angle
+        center, angle = complex(*selection_handles.middle(handle)), self._angle
         by = phase((complex(*now.free) - center) / ((complex(*start.free) - center) or 1))
         return by if now.loose else round((angle + by) / STEP) * STEP - angle
 
@@ -261,9 +261,9 @@ class SelectTool(Tool):
         shape_preview.measure(surface, pen, now.pixel, message.strip())
 
     def _draw_turned(self, surface: pygame.Surface, pen: Pen, now: MousePosition) -> None:
-        held, turn = self._held, self._turn
-        center = complex(*selection_handles.middle(held))
-        for body in held[:CROWD]:
+        handle, turn = self._held, self._turn
+        center = complex(*selection_handles.middle(handle))
+        for body in handle[:CROWD]:
             place = center + (complex(*body.position) - center) * rect(1, turn)
             corners = body.outline.placed((place.real, place.imag), body.angle + turn)
             shape_preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)

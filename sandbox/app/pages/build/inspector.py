@@ -188,8 +188,8 @@ class Inspector:
 
     def _restore(self) -> None:
         for line, field in self._fields:
-            if (kept := self._kept.get(line.entry.path)) is not None:
-                text, line.shown = kept
+            if (typed := self._kept.get(line.entry.path)) is not None:
+                text, line.shown = typed
                 field.set_text(text)
             if line.entry.path == self._focused:
                 self._sheet.manager.set_focus_set(field.get_focus_set())

@@ -186,11 +186,13 @@ class BuildPage:
         editor = self._editor
         below = sections.subject(editor)
         if editor.saving.naming:
-            here = ButtonAction(say("Save here"), say("write the file (Enter)"), self._save_here)
+            save_here = ButtonAction(
+                say("Save here"), say("write the file (Enter)"), self._save_here
+            )
             leave = ButtonAction(
                 say("Do not save"), say("continue without saving (Esc)"), editor.saving.stop_naming
             )
-            below.insert(0, Block("", acts=(here, leave)))
+            below.insert(0, Block("", acts=(save_here, leave)))
         return sections.above(editor, self._session), [*below, *sections.arranging(editor)]
 
     def _build(

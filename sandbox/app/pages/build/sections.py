@@ -89,8 +89,8 @@ def subject(editor: Editor) -> list[Block]:
     """Return the blocks about the inspected parts, with the actions on them."""
     work = editor.bench
     in_run = work is editor.trial.live
-    said = say("The run") if in_run and not work.selected else inspected_fields.subject(work)
-    title = Block(said, heading=True)
+    heading = say("The run") if in_run and not work.selected else inspected_fields.subject(work)
+    title = Block(heading, heading=True)
     if not work.selected and in_run:
         return [title, Block(say(IN_RUN)), _switches(editor)]
     if not work.selected:

@@ -121,10 +121,10 @@ class Palette:
         for kind in TOOLS:
             press(self._buttons[kind.name], kind.name == editor.tools.tool)
         undoes, redoes = editor.trying.undoes(self._session), editor.trying.redoes(self._session)
-        for name, key, said in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
-            allow(self._buttons[name], said is not None)
+        for name, key, undone in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
+            allow(self._buttons[name], undone is not None)
             self._buttons[name].set_tooltip(
-                f"{said} ({say_in('key', key)})" if said else None, delay=0.6
+                f"{undone} ({say_in('key', key)})" if undone else None, delay=0.6
             )
         allow(self._buttons["Save"], draft.changed or draft.path is None)
         self._buttons[TRY].set_text(say(STOP if editor.trying.is_shown(self._session) else TRY))

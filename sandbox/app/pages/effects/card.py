@@ -18,19 +18,21 @@ TOUCHED_ONE = later("Only this run was changed by hand: the two can no longer be
 
 
 def compared(
-    pen: Pen, width: int, told: str, differences: Sequence[Difference],
+    pen: Pen, width: int, message: str, differences: Sequence[Difference],
     words: Say, cost: float | None = None, *, disturbed: bool = False,
 ) -> pygame.Surface:  # fmt: skip
     """Draw the change of the checks' quantities by a change of the effects, and its cost."""
     card = Card(pen, width)
-    card.heading(told[0].upper() + told[1:])
+    card.heading(message[0].upper() + message[1:])
     card.text(say("dashed: as the level declares it"), 12, theme.GHOST)
     if disturbed:
         card.text(say(TOUCHED_ONE), 14, theme.NOTICE)
         return card.drawn()
     if cost is not None:
-        told = say("time: {cost}", cost=formatting.step_cost(cost).replace("-", formatting.MINUS))
-        card.text(told, 13)
+        message = say(
+            "time: {cost}", cost=formatting.step_cost(cost).replace("-", formatting.MINUS)
+        )
+        card.text(message, 13)
     if all(found.first is found.second is None for found in differences):
         card.text(say("Play to see what changes."), 13, theme.DIM)
         return card.drawn()

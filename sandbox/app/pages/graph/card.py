@@ -58,12 +58,12 @@ def graphs(
     names = list(dict.fromkeys([TIME.name, across, *up]))
     columns, units = so_far(session, names)
     earlier, later = _other_runs(session, names)
-    told = later if later and cursor and cursor > columns[across].max() else columns
+    shown = later if later and cursor and cursor > columns[across].max() else columns
     span = zoom.on(span_of(pen, width, session, across))
     mark = float(columns[across][-1]) if later and cursor is None else cursor
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
-        _values(card, told, these, up, units, across, cursor, trust)
+        _values(card, shown, these, up, units, across, cursor, trust)
         others = [*_faint(earlier, these, across), *_ahead(later, these, up, across)]
         closed = _closed(session, columns, these, up, across)
         series = [*others, *closed, *_own(columns, these, up, across)]

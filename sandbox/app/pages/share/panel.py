@@ -84,8 +84,8 @@ class SharePage:
         if self._filming.running:
             message = say("Filming: {share:.0%}", share=self._filming.done)
             card.text(message, 14, theme.NOTICE)
-        elif self._filming.told:
-            card.text(self._filming.told, 13, theme.DIM)
+        elif self._filming.message:
+            card.text(self._filming.message, 13, theme.DIM)
         card.y = max(card.y, self._sheet.pen.height(14))  # at least one line
         return card.drawn()
 

@@ -115,12 +115,12 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if len(view.moving) > MANY:
         _draw_chains(surface, view)
         return
-    known = _touches.get(view)
-    if known is None:
-        known = _touches[view] = Touches(view.world)
-    found = known.look([outline.name for outline in view.moving])
+    touches = _touches.get(view)
+    if touches is None:
+        touches = _touches[view] = Touches(view.world)
+    found = touches.look([outline.name for outline in view.moving])
     largest = max((hypot(*touch.force) for touch in found), default=0.0)
-    full = view.full("contacts", 0.0 if known.struck else largest) or largest
+    full = view.full("contacts", 0.0 if touches.struck else largest) or largest
     if not full:
         return
     longest = LONGEST * view.camera.size[0]

@@ -26,12 +26,12 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if found is None or view.looking is None:
         return
     longest = LONGEST * view.camera.size[0]
-    given = _given(view, found)
-    scale = given or longest / (view.looking.full(found) or 1.0)  # px/N
+    given_forces = _given(view, found)
+    scale = given_forces or longest / (view.looking.full(found) or 1.0)  # px/N
     ends = []
     words = forces_on_selection.texts(view.looking.told(view.world, found))
     for acting, (_, text) in zip(forces_on_selection.felt(found), words, strict=True):
-        if given and acting.name == Force.effect.shown_force_name:
+        if given_forces and acting.name == Force.effect.shown_force_name:
             continue
         share = min(scale, CUT * longest / acting.magnitude)
         x, y = start = view.camera.to_screen(acting.at)

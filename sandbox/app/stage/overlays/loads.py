@@ -29,11 +29,11 @@ LEAST = 6.0  # px, the length below which no load is drawn
 
 def _draw(surface: pygame.Surface, view: View) -> None:
     world, t = view.world, float(view.world.snapshot.t)
-    held = world.scene.joints
+    joints = world.scene.joints
     loads = {
-        name: float(held.tension(name, world.snapshot))
+        name: float(joints.tension(name, world.snapshot))
         for name, joint in world.level.joints.items()
-        if isinstance(joint, ALONG) and held.holds(name, t)
+        if isinstance(joint, ALONG) and joints.holds(name, t)
     }
     full = view.full("loads", max(map(abs, loads.values()), default=0.0))
     if not full:
