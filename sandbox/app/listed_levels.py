@@ -17,9 +17,9 @@ class LevelFiles:
         self.entries = [*opened, *level_list.entries()]
         """The entries of the list, in its order."""
 
-    def say_anew(self) -> None:
+    def translate(self) -> None:
         """Translate the list into the current language."""
-        self.entries = [entry.said_anew() for entry in self.entries]
+        self.entries = [entry.in_current_language() for entry in self.entries]
 
     def read_again(self, path: Path) -> None:
         """Update the entry of a file; add one if there was none."""

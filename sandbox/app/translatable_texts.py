@@ -88,7 +88,7 @@ def _of_the_physics() -> Iterator[str]:
 def _of_the_format() -> Iterator[str]:
     """Yield the fields of a level, their descriptions, and their options."""
     for model in _models(Level, set()):
-        yield editable_fields.first_of(model)
+        yield editable_fields.summary_of(model)
         for name, field in model.model_fields.items():
             yield editable_fields.label_of(field.alias or name)
             yield editable_fields.help_of(model, name)
@@ -97,7 +97,7 @@ def _of_the_format() -> Iterator[str]:
 
 def _models(kind: Any, visited: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
     """Yield the models that a type consists of, except known ones."""
-    kind = editable_fields.bare(kind)
+    kind = editable_fields.bare_type(kind)
     parts: Iterable[Any] = get_args(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
         if kind in visited:

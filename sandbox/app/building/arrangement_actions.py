@@ -31,7 +31,7 @@ SIDES: Mapping[str, Side] = {
 
 def arrangements(work: EditedLevel) -> list[ButtonAction]:
     """Return the actions that arrange the selected bodies."""
-    names = work.chosen
+    names = work.selected_bodies
     if not names:
         return []
     aligned = say("align these bodies so")
@@ -60,7 +60,7 @@ def _rope(work: EditedLevel, names: Sequence[str]) -> list[ButtonAction]:
         return []
     tip = say("knots joined by rods, from one body over the disc to the other")
     caption = say("lay a rope over the disc")
-    lay = partial(work.make, caption, lambda text, level: wrap(text, level, names))
+    lay = partial(work.add_parts, caption, lambda text, level: wrap(text, level, names))
     return [ButtonAction(say("Rope over the disc"), tip, lay)]
 
 
@@ -98,5 +98,7 @@ def _arranging(
 ) -> ButtonAction:
     """Return the action that edits the selected bodies in some way."""
     return ButtonAction(
-        caption, tip, partial(work.change, caption, partial(edit, names=work.chosen, **how))
+        caption,
+        tip,
+        partial(work.change, caption, partial(edit, names=work.selected_bodies, **how)),
     )

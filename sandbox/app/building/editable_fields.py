@@ -24,7 +24,7 @@ from sandbox.model.reference_fields import Mention
 LEFT_OUT = ("$schema", "format", "bodies", "joints")
 """Fields of a level without a widget: those of the file format, and parts selected on the stage."""
 
-Sort = Literal["number", "text", "choice", "switch", "json"]
+InputKind = Literal["number", "text", "choice", "switch", "json"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class EditableField:
     """Its description, in the current language."""
     unit: str
     """Its unit."""
-    sort: Sort
+    input_kind: InputKind
     """The kind of widget; `json` is for values without a widget of their own, typed as in a file.
     """
     shown: str
@@ -87,28 +87,28 @@ def read(entry: EditableField, typed: str) -> Json:
     A text that is not JSON is a string: a formula, a name or words.
     """
     text = typed.strip()
-    if not text and not (entry.sort == "text" and entry.required):
+    if not text and not (entry.input_kind == "text" and entry.required):
         return None
-    if entry.sort in ("text", "choice"):
+    if entry.input_kind in ("text", "choice"):
         return text
     try:
         value: Json = json.loads(text)
     except ValueError:
         return text
-    if entry.sort == "number" and isinstance(value, bool):
+    if entry.input_kind == "number" and isinstance(value, bool):
         return text
     return value
 
 
 def _rows(key: str, field: FieldInfo, message: str, content: Json, path: Path) -> Iterator[Row]:
-    kind = bare(field.annotation)
+    kind = bare_type(field.annotation)
     if content is None and isinstance(field.default, Model):
         content = {}
     if get_origin(kind) is Literal and len(get_args(kind)) == 1:
         return  # the type of a shape or a joint
     if isinstance(content, Mapping) and (model := model_of(kind, content)):
         yield Section(
-            path, _label(key), message or say(first_of(model)), tuple(rows(model, content, path))
+            path, _label(key), message or say(summary_of(model)), tuple(rows(model, content, path))
         )
     elif _members(kind) and isinstance(content, Sequence) and _are_parts(content):
         yield Section(path, _label(key), message, tuple(_items(kind, content, path)))
@@ -150,7 +150,7 @@ def _items(kind: Any, values: Sequence[Json], path: Path) -> Iterator[Section]: 
         if model is not None and isinstance(item, Mapping):
             place = (*path, index)
             label = str(item.get("quantity") or item.get("body") or index + 1)
-            message = say(first_of(model))
+            message = say(summary_of(model))
             yield Section(place, label, message, tuple(rows(model, item, place)))
 
 
@@ -159,7 +159,7 @@ def _named(kind: Any, values: Mapping[str, Json], path: Path) -> Iterator[Sectio
         model = model_of(get_args(kind)[1], item) if isinstance(item, Mapping) else None
         if model is not None and isinstance(item, Mapping):
             place = (*path, name)
-            message = say(first_of(model))
+            message = say(summary_of(model))
             yield Section(place, name, message, tuple(rows(model, item, place)))
 
 
@@ -167,22 +167,22 @@ def _entry(
     label: str, kind: Any, value: Json, path: Path,  # noqa: ANN401
     message: str, default: object, *, required: bool,
 ) -> EditableField:  # fmt: skip
-    kind, unit = bare(kind), ""
-    sort: Sort = "json"
+    kind, unit = bare_type(kind), ""
+    input_kind: InputKind = "json"
     choices: tuple[str, ...] = ()
     if isinstance(kind, type) and issubclass(kind, Expression):
-        sort, unit = "number", kind.unit
+        input_kind, unit = "number", kind.unit
     elif kind is bool:
-        sort = "switch"
+        input_kind = "switch"
     elif kind in (int, float):
-        sort = "number"
+        input_kind = "number"
     elif kind is str:
-        sort = "text"
+        input_kind = "text"
     elif get_origin(kind) is Literal and all(isinstance(c, str) for c in get_args(kind)):
-        sort, choices = "choice", get_args(kind)
+        input_kind, choices = "choice", get_args(kind)
     shown = _shown(value)
     return EditableField(
-        path, label, message, unit, sort, shown, _default(default), choices, required
+        path, label, message, unit, input_kind, shown, _default(default), choices, required
     )
 
 
@@ -203,7 +203,7 @@ def _default(default: object) -> str:
     return ""
 
 
-def bare(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
+def bare_type(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
     """Return a type without annotations, and without None."""
     while True:
         if get_origin(kind) is Annotated:
@@ -219,11 +219,11 @@ def bare(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
 
 def model_of(kind: Any, values: Mapping[str, Json]) -> type[Model] | None:  # noqa: ANN401
     """Return the model of a part; in a union, that which the part's `type` or `event` names."""
-    kind = bare(kind)
+    kind = bare_type(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
         return kind
     if get_origin(kind) in (Union, UnionType):
-        parts = (each for each in map(bare, get_args(kind)) if isinstance(each, type))
+        parts = (each for each in map(bare_type, get_args(kind)) if isinstance(each, type))
         return next(
             (each for each in parts if issubclass(each, Model) and _is_named(each, values)), None
         )
@@ -241,9 +241,9 @@ def _members(kind: Any) -> Any:  # noqa: ANN401
     """Return the type of a list's items if they are models, else None."""
     arguments = get_args(kind)
     if len(arguments) == 2 and arguments[1] is ...:
-        member = bare(arguments[0])
+        member = bare_type(arguments[0])
         parts = get_args(member) if get_origin(member) in (Union, UnionType) else (member,)
-        if any(isinstance(p, type) and issubclass(p, Model) for p in map(bare, parts)):
+        if any(isinstance(p, type) and issubclass(p, Model) for p in map(bare_type, parts)):
             return member
     return None
 
@@ -274,7 +274,7 @@ def help_of(model: type[Model], name: str) -> str:
 
 def choices_of(kind: Any) -> tuple[str, ...]:  # noqa: ANN401 (a type is any object)
     """Return the English captions of the options of a type; none if it is not a choice."""
-    kind = bare(kind)
+    kind = bare_type(kind)
     literals = get_args(kind) if get_origin(kind) is Literal else ()
     return tuple(caption_of(each) for each in literals if isinstance(each, str))
 
@@ -284,6 +284,6 @@ def caption_of(choice: str) -> str:
     return choice.replace("-", " ")
 
 
-def first_of(model: type[Model]) -> str:
+def summary_of(model: type[Model]) -> str:
     """Return the summary line of a model's docstring, in English."""
     return " ".join((model.__doc__ or "").split("\n\n")[0].split())

@@ -114,7 +114,10 @@ class Parts:
 def parts_of(level: Level) -> Parts:
     """Return the parts of a level at its start."""
     values = level.defaults
-    bodies, joints = _drawn(level.bodies, values), _tied(level.joints, level.bodies, values)
+    bodies, joints = (
+        _drawable_bodies(level.bodies, values),
+        _drawable_joints(level.joints, level.bodies, values),
+    )
     return Parts(dict(bodies), dict(joints))
 
 
@@ -134,9 +137,12 @@ class PartialLevel(Parts):
         }
         parts = _mapping(document, "joints").items()
         tied = {name: j for name, part in parts if (j := _joint(json.dumps(part))) is not None}
-        drawn, paths = _drawn(specs, self.values), _tied(tied, specs, self.values)
+        drawn, paths = (
+            _drawable_bodies(specs, self.values),
+            _drawable_joints(tied, specs, self.values),
+        )
         super().__init__(dict(drawn), dict(paths))
-        self._open = _open(_mapping(document, "events"))
+        self._open = _initially_open(_mapping(document, "events"))
         self.view = _view(json.dumps(document.get("view", {})))
         """The part of the plane that the level asks to show."""
 
@@ -237,7 +243,9 @@ def _view(text: str) -> View:
         return View()
 
 
-def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, DrawableBody]]:
+def _drawable_bodies(
+    specs: Mapping[str, Body], values: Values
+) -> Iterator[tuple[str, DrawableBody]]:
     moving = 0
     for row, (name, spec) in enumerate(specs.items()):
         try:
@@ -251,7 +259,7 @@ def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, Dra
         moving += spec.type != "static"
 
 
-def _tied(
+def _drawable_joints(
     tied: Mapping[str, Joint], specs: Mapping[str, Body], values: Values
 ) -> Iterator[tuple[str, DrawableJoint]]:
     for name, joint in tied.items():
@@ -261,7 +269,7 @@ def _tied(
             continue
 
 
-def _open(events: Mapping[str, Any]) -> frozenset[str]:
+def _initially_open(events: Mapping[str, Any]) -> frozenset[str]:
     """Return the joints that an event ties, as far as events can be read."""
     lists = [event.get("tie") for event in events.values() if isinstance(event, Mapping)]
     named = (name for names in lists if isinstance(names, list) for name in names)

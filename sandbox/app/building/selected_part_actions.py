@@ -71,7 +71,9 @@ def _happen(
 ) -> None:
     """Add an event that acts on a part."""
     if work.change(caption, lambda text, level: edit(text, level, name)):
-        work.tell(say("Set when that happens in the level's own fields, under events (Esc)"))
+        work.show_message(
+            say("Set when that happens in the level's own fields, under events (Esc)")
+        )
 
 
 def _tilt(work: EditedLevel, name: str) -> None:
@@ -83,12 +85,14 @@ def _tilt(work: EditedLevel, name: str) -> None:
 def _swing(work: EditedLevel, name: str) -> None:
     caption = say("draw {name} aside", name=name)
     if work.change(caption, lambda text, level: swing(text, level, name)):
-        work.tell(say("Its angle is a parameter now; its slider is on the level's page (O)"))
+        work.show_message(
+            say("Its angle is a parameter now; its slider is on the level's page (O)")
+        )
 
 
 def _round(work: EditedLevel, name: str, kind: str) -> None:
     caption = say("make {name} another shape", name=name)
-    work.make(caption, lambda text, level: rounded(text, level, name, kind))
+    work.add_parts(caption, lambda text, level: rounded(text, level, name, kind))
 
 
 def _haunt(work: EditedLevel, name: str) -> None:
@@ -96,4 +100,4 @@ def _haunt(work: EditedLevel, name: str) -> None:
         return set_ghost(text, name, flight(level, name))
 
     if work.change(say("add a ghost of {name}", name=name), edit):
-        work.tell(say("Its formulas are in the level's own fields, under ghosts (Esc)"))
+        work.show_message(say("Its formulas are in the level's own fields, under ghosts (Esc)"))

@@ -47,7 +47,7 @@ class ChapterBar:
             yield heading, pygame.Rect(x, y, width, px(HEIGHT))
             x += width + px(GAP)
 
-    def place(self, text: str) -> pygame.Rect:
+    def rect_of(self, text: str) -> pygame.Rect:
         """Return the rectangle of a chapter's button in the window [px]."""
         return next(place for heading, place in self._places if heading.text == text)
 

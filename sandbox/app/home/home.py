@@ -69,7 +69,7 @@ class Home:
         self.open, self._progress = True, Progress()
         self.thumbnails.forget()
         self._laid_out, self._here = None, path
-        self.strip.look()
+        self.strip.refresh()
 
     def renew(self) -> None:
         """Lay out and draw everything again, in the current theme, scale and language."""
@@ -95,7 +95,7 @@ class Home:
         """The level that Enter opens; None if there is none."""
         return self._grid.cards[self._focus][0] if self._grid.cards else None
 
-    def place(self, index: int) -> pygame.Rect:
+    def card_rect(self, index: int) -> pygame.Rect:
         """Return the rectangle of a card in the window, which may be out of view [px]."""
         return self._grid.cards[index][1].move(self._area.x, self._area.y - round(self._top))
 
@@ -146,7 +146,7 @@ class Home:
 
     def _seen(self) -> list[tuple[Entry, pygame.Rect]]:
         """Return the levels whose cards are in view, with their rectangles in the window [px]."""
-        placed = ((entry, self.place(i)) for i, (entry, _) in enumerate(self._grid.cards))
+        placed = ((entry, self.card_rect(i)) for i, (entry, _) in enumerate(self._grid.cards))
         return [(entry, place) for entry, place in placed if place.colliderect(self._area)]
 
     def process(self, event: pygame.event.Event) -> bool:
@@ -230,7 +230,7 @@ class Home:
             if area.top - self._pen.px(HEADING) < y < area.bottom:
                 self._draw_heading(surface, heading.text, heading.count, y)
         for i in range(len(self._grid.cards)):
-            if self.place(i).colliderect(area):
+            if self.card_rect(i).colliderect(area):
                 self._draw_card(surface, i)
         self._draw_bar(surface)
         surface.set_clip(None)
@@ -244,7 +244,7 @@ class Home:
             surface.blit(count_text, (x + title.width + 10, y + self._pen.px(16)))
 
     def _draw_card(self, surface: pygame.Surface, index: int) -> None:
-        level, place = self._grid.cards[index][0], self.place(index)
+        level, place = self._grid.cards[index][0], self.card_rect(index)
         lit = index == self._hovered
         pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
         top = pygame.Rect(place.topleft, self._grid.picture)

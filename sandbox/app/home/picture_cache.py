@@ -67,7 +67,7 @@ def key(path: Path) -> str:
     return hashlib.sha256(about + content).hexdigest()[:32]
 
 
-def kept(cache_key: str, where: Path | None = None) -> bytes:
+def cached(cache_key: str, where: Path | None = None) -> bytes:
     """Return the cached picture with a key; empty if there is none."""
     try:
         png = read_ordinary((where or folder()) / f"{cache_key}.png", LARGEST) or b""
@@ -76,7 +76,7 @@ def kept(cache_key: str, where: Path | None = None) -> bytes:
     return png if png.startswith(_BEGIN) and png.endswith(_END) else b""
 
 
-def made(where: Path, orders: Connection) -> Iterator[Picture]:
+def draw_all(where: Path, orders: Connection) -> Iterator[Picture]:
     """Draw levels in a process without a window, and cache the pictures in a folder.
 
     The latest of the `orders` is a list of levels; what is left of earlier ones is not drawn.
@@ -95,7 +95,7 @@ def made(where: Path, orders: Connection) -> Iterator[Picture]:
 def _made(path: Path, pen: Pen, where: Path) -> Picture:
     try:
         cache_key = key(path)
-        png = kept(cache_key, where) or level_picture.png(draw(path, pen))
+        png = cached(cache_key, where) or level_picture.png(draw(path, pen))
     except OSError:
         return Picture(path, "", b"")
     except SandboxError:

@@ -80,7 +80,7 @@ class Thumbnails(BackgroundTask):
 
     def _look_up(self, path: Path) -> None:
         try:
-            png = picture_cache.kept(picture_cache.key(path))
+            png = picture_cache.cached(picture_cache.key(path))
         except OSError:
             self._hopeless.add(path)
             return
@@ -100,7 +100,7 @@ class Thumbnails(BackgroundTask):
             return
         if not self._work.running:
             self._drawn = 0
-            self._work.start(picture_cache.made, picture_cache.folder(), listens=True)
+            self._work.start(picture_cache.draw_all, picture_cache.folder(), listens=True)
         now = self._drawing[:1]
         self._drawing = now + [path for path in wanted if path not in now][:BATCH]
         self._work.send(list(self._drawing))

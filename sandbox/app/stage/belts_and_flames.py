@@ -46,7 +46,7 @@ def _draw_marks(
     a, b = camera.path(side)
     length, run = hypot(b[0] - a[0], b[1] - a[1]), run * camera.scale
     spacing = nice(SPACING / camera.scale) * camera.scale
-    first, last = lines.seen(surface, a, b)
+    first, last = lines.visible_part(surface, a, b)
     for i in range(ceil((first - run) / spacing), floor((last - run) / spacing) + 1):
         share = (i * spacing + run) / length
         at = a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share

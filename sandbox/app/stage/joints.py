@@ -55,7 +55,9 @@ def draw_joint(
 ) -> None:
     """Draw a joint through points of the plane [m]; a slack rope is dashed."""
     corners = camera.path(path)
-    if isinstance(joint, Rail) or lines.near(corners):  # a rail is long, and clipped as it is drawn
+    if isinstance(joint, Rail) or lines.are_close(
+        corners
+    ):  # a rail is long, and clipped as it is drawn
         LOOKS.get(type(joint), _plain)(surface, corners, slack)
         if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
             for place, direction in _faces(joint, corners):
@@ -65,7 +67,7 @@ def draw_joint(
 def draw_crowd(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
     """Draw one of many joints through points of the plane [m]: a line, or a dot, without pins."""
     corners = camera.path(path)
-    if not lines.near(corners):
+    if not lines.are_close(corners):
         return
     if dist(corners[0], corners[-1]) > 1:
         lines.path(surface, theme.SURFACE_EDGE, corners, 2)
@@ -76,7 +78,7 @@ def draw_crowd(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> N
 def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
     """Draw a joint that has not latched yet: a hook at each end, open towards the other."""
     begin, *_, end = camera.path(path)
-    if not lines.near((begin, end)):
+    if not lines.are_close((begin, end)):
         return
     for (x, y), other in ((begin, end), (end, begin)):
         ahead = atan2(other[1] - y, other[0] - x)

@@ -151,13 +151,13 @@ def _draw_part(surface: pygame.Surface, series: Series, points: Sequence[XY]) ->
     if series.marked:
         for point in points:
             pygame.draw.aacircle(surface, series.color, point, DOT)
-    if series.sign is not None and points and lines.near(points):
+    if series.sign is not None and points and lines.are_close(points):
         _sign(surface, series.sign, series.color, points)
     if len(points) < 2:
         return
     if series.dashed:
         lines.dashed(surface, series.color, points)
-    elif lines.near(points):
+    elif lines.are_close(points):
         pygame.draw.aalines(surface, series.color, False, points)
     else:
         lines.path(surface, series.color, points, 1)
@@ -167,7 +167,7 @@ def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY
     """Draw markers at equal distances along a line's points."""
     count = SIGNED * line_styles.SIGNS
     for place in range(which % line_styles.SIGNS, count, line_styles.SIGNS):
-        line_styles.sign(surface, which, color, points[len(points) * place // count], 3)
+        line_styles.marker(surface, which, color, points[len(points) * place // count], 3)
 
 
 def _draw_heights(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:

@@ -67,7 +67,7 @@ def test_a_box_that_is_drawn_over_another_is_marked_while_it_is_stretched(builde
 def test_a_rod_that_repeats_another_is_marked_while_its_end_is_chosen(builder: Builder) -> None:
     two_boxes(builder)
     ends = Pick((-1.5, 1.5), "box1"), Pick((1.5, 1.5), "box2")
-    builder.editor.work.make(
+    builder.editor.work.add_parts(
         "tie", lambda text, level: joint_creation.add_joint(text, level, "rod", ends), "joints"
     )
     builder.tool("join")

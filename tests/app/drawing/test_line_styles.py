@@ -20,7 +20,7 @@ SIZE = (40, 16)
 def drawn(which: int) -> bytes:
     """Return the shape of a marker."""
     surface = pygame.Surface((16, 16))
-    line_styles.sign(surface, which, (255, 255, 255), (8, 8))
+    line_styles.marker(surface, which, (255, 255, 255), (8, 8))
     return pygame.image.tobytes(surface, "RGB")
 
 

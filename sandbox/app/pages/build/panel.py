@@ -88,7 +88,7 @@ class BuildPage:
             return True
         act = next((act for button, act in self._acts if button is element), None)
         if act is not None:
-            self._editor.trying.look(self._session)
+            self._editor.trying.read_run_state(self._session)
             act.do()
             return True
         return self.palette.press(element) or self.inspector.turn(element)
@@ -119,14 +119,14 @@ class BuildPage:
         return self._assign(line, line.shown)
 
     def _assign(self, line: Line, typed: str) -> bool:
-        self._editor.trying.look(self._session)
+        self._editor.trying.read_run_state(self._session)
         entry, work = line.entry, self._editor.bench
         self._offered.clear()
         why = inspected_fields.assign(work, line.row, entry, typed)
         self._refused.pop(entry.path, None)
         if why:
             self._refused[entry.path] = why
-            work.tell(f"{entry.label}: {why}")
+            work.show_message(f"{entry.label}: {why}")
             self._editor.bench.show()
         return not why
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card, noted
+from sandbox.app.cards.card import GAP, Card, titled_note
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
@@ -63,10 +63,10 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw the purpose of the switches."""
     message = say("Switch an effect off or on, then play: both runs are drawn.")
-    return noted(pen, width, say("What if …"), message)
+    return titled_note(pen, width, say("What if …"), message)
 
 
 def unchanged(pen: Pen, width: int) -> pygame.Surface:
     """Draw the note that the level runs as declared."""
     message = say("All effects are as the level declares them.")
-    return noted(pen, width, say("What it changes"), message, 14)
+    return titled_note(pen, width, say("What it changes"), message, 14)

@@ -149,7 +149,7 @@ def _values(
         )
         if (sign := _sign(name, up)) is not None:
             mark = pygame.Surface((indent, left.height), pygame.SRCALPHA)
-            line_styles.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
+            line_styles.marker(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
             card.put(mark, 0)
         card.put(left, indent)
         card.put(right, card.width - right.width)

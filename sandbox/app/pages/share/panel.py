@@ -8,7 +8,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.cards.card import Card, noted
+from sandbox.app.cards.card import Card, titled_note
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
@@ -92,4 +92,4 @@ class SharePage:
 
 def _intro(pen: Pen, width: int) -> pygame.Surface:
     text = say("Files go to {folder}", folder=save_folder.folder())
-    return noted(pen, width, say("Take away"), text)
+    return titled_note(pen, width, say("Take away"), text)

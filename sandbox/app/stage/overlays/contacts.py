@@ -137,12 +137,12 @@ def _draw_touch(
     size = hypot(x, y) * scale
     share = scale * min(1.0, most / size) if size else 0.0
     end = start[0] + x * share, start[1] - y * share
-    if touch.mu and lines.near((start, end)):
+    if touch.mu and lines.are_close((start, end)):
         _draw_cone(surface, start, touch, share)
     color = _color(touch.slides)
     lines.arrow(surface, color, start, end, WIDTH)
     view.labels.mark(start, end)
-    if lines.near((start,)):
+    if lines.are_close((start,)):
         _sign(surface, touch.slides, start)
 
 

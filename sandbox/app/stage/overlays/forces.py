@@ -40,7 +40,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         lines.arrow(surface, color, start, end, WIDTH)
         ends.append((text, start, end, color, f"force {acting.name} {acting.by}"))
         _mark(view, acting.name, start, end)
-    if lines.near((center := view.camera.to_screen(found.center),)):
+    if lines.are_close((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
     moving = view.moving if view.few else ()
     avoid = motion_annotations.boxes(view.camera, ((each, *view.state(each)) for each in moving))

@@ -40,7 +40,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         return
     for name, load in loads.items():
         path = view.camera.path(_path(view, name))
-        if abs(load) > FAINT * full and lines.near(path) and dist(path[0], path[-1]) > LEAST:
+        if abs(load) > FAINT * full and lines.are_close(path) and dist(path[0], path[-1]) > LEAST:
             _draw_load(surface, path, load / full)
             if len(loads) <= NAMED:
                 _write(surface, view, name, path, load)
