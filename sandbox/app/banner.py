@@ -66,8 +66,8 @@ class Banner:
             message = say("{reason} – Space goes on anyway", reason=session.halted)
             return message, theme.NOTICE
         if session.waiting:
-            asked = formatting.error(session.level.stepping.accuracy or 0.0)
-            text = say("Looking for the cheapest setting with an error of {asked} …", asked=asked)
+            target = formatting.error(session.level.stepping.accuracy or 0.0)
+            text = say("Looking for the cheapest setting with an error of {asked} …", asked=target)
             return text, theme.NOTICE
         if not (self._note and self._left > 0) and session.at_end and not session.playing:
             return self._complete(session), theme.ACCENT
@@ -87,8 +87,8 @@ class Banner:
 
     def _compared(self, session: Session) -> str:
         """Return how the changed effects alter the run, computed once per run and language."""
-        world, spoken, told = self._ended
+        world, spoken, text = self._ended
         if world is not session.world or spoken != language.used():
-            told = whatif.summary(session, whatif.compared(session))
-            self._ended = session.world, language.used(), told
-        return told
+            text = whatif.summary(session, whatif.compared(session))
+            self._ended = session.world, language.used(), text
+        return text

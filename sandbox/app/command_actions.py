@@ -125,15 +125,15 @@ class CommandActions:
         """See it from the selected body, then from the centre of mass, then from the ground."""
         looking = session.looking
         places = [looking.body(session.level), CENTER, None]
-        known = looking.seen_from in places
-        looking.seen_from = places[(places.index(looking.seen_from) + 1) % 3 if known else 0]
+        is_known = looking.seen_from in places
+        looking.seen_from = places[(places.index(looking.seen_from) + 1) % 3 if is_known else 0]
         self._tell("" if looking.seen_from is not None else level_labels.seen_from(None))
 
     def _press_the_stopwatch(self) -> None:
         if self._space.session is not None:
-            told = self._space.workers.of(Stopwatch).press(self._space.session)
-            if told is not None:
-                self._tell(told)
+            message = self._space.workers.of(Stopwatch).press(self._space.session)
+            if message is not None:
+                self._tell(message)
 
     def _restart(self) -> None:
         if self._space.session is None:
@@ -206,15 +206,15 @@ class CommandActions:
         pages = [page.command for page in PAGES]
         self.turn_to(pages[(pages.index(self._space.panels.page) + by) % len(pages)])
 
-    def _act_on(self, page: str, asked: PageCommand) -> None:
+    def _act_on(self, page: str, command: PageCommand) -> None:
         """Show a page and execute one of its commands."""
         space = self._space
         if space.session is None:
             return
         self.turn_to(page)
         try:
-            kept = space.workers.of, space.load, space.comfort, space.stage.shown
-            answer = asked.act(Desk(space.session, *kept))
+            window_state = space.workers.of, space.load, space.comfort, space.stage.shown
+            answer = command.act(Desk(space.session, *window_state))
         except SandboxError as error:
             answer = say(error.message)
         if answer is not None:
@@ -281,11 +281,11 @@ class CommandActions:
 
     def _quit(self) -> None:
         """Quit at the second press of Esc, which may have been meant for something else."""
-        asked = say("Esc once more quits")
-        if self._space.banner.tells(asked):
+        question = say("Esc once more quits")
+        if self._space.banner.tells(question):
             self._space.open = False
         else:
-            self._tell(asked)
+            self._tell(question)
 
     def _tell(self, text: str) -> None:
         self._space.banner.tell(text)

@@ -76,7 +76,7 @@ class Events:
         if isinstance(left, LeftRun):
             self._space.go_on_with(left)
             return
-        from sandbox.app.building.draft_recovery_choices import recover
+        from sandbox.app.building.draft_and_version_choices import recover
         from sandbox.app.building.editor import Editor
 
         self._commands.do(BUILD_PAGE.command)

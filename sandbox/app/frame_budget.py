@@ -63,8 +63,8 @@ class FrameBudget:
 
     def of(self, kind: str) -> float:
         """Return the time for steps in a frame of some kind [s]."""
-        known = sorted(self._last[kind])
-        rest = known[int(ALMOST * (len(known) - 1))] if known else FRAME / 2
+        recent = sorted(self._last[kind])
+        rest = recent[int(ALMOST * (len(recent) - 1))] if recent else FRAME / 2
         left = FRAME - SPARE - rest
         return min(left, MOST) if left >= LEAST else _late(rest)
 

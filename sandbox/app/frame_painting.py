@@ -2,7 +2,6 @@
 
 import pygame
 
-from sandbox.app import run_legend
 from sandbox.app.drawing import theme
 from sandbox.app.measuring import trail_probe
 from sandbox.app.observing.earlier_runs import alike
@@ -10,6 +9,7 @@ from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import stage_messages
 from sandbox.app.runs.session import Session
+from sandbox.app.stage import run_legend
 from sandbox.app.workspace import Workspace
 
 
@@ -35,8 +35,10 @@ def paint(space: Workspace) -> None:
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
     if space.help:
         rows = page(space.panels.page).own_keys() if space.maker is not None else ()
-        told = rows or stage_messages.everywhere()
-        space.sheets = stage_messages.draw_help(surface, space.pen, layout.stage, told, space.help)
+        messages = rows or stage_messages.everywhere()
+        space.sheets = stage_messages.draw_help(
+            surface, space.pen, layout.stage, messages, space.help
+        )
 
 
 def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:

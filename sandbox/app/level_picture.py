@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import run_legend
 from sandbox.app.cards.checks import checks
 from sandbox.app.cards.energy import energy
 from sandbox.app.drawing import theme
@@ -19,6 +18,7 @@ from sandbox.app.pages.race import scheme_comparison
 from sandbox.app.pages.register import runs_beside
 from sandbox.app.runs.companions import Changes
 from sandbox.app.runs.session import Session
+from sandbox.app.stage import run_legend
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import say

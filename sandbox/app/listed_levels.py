@@ -17,22 +17,22 @@ class LevelFiles:
         self.entries = [*opened, *level_list.entries()]
         """The entries of the list, in its order."""
 
-    def say_anew(self) -> None:
+    def translate(self) -> None:
         """Translate the list into the current language."""
-        self.entries = [known.said_anew() for known in self.entries]
+        self.entries = [entry.in_current_language() for entry in self.entries]
 
     def read_again(self, path: Path) -> None:
         """Update the entry of a file; add one if there was none."""
-        for i, known in enumerate(self.entries):
-            if known.path == path:
-                self.entries[i] = entry(path, known.chapter)
+        for i, old_entry in enumerate(self.entries):
+            if old_entry.path == path:
+                self.entries[i] = entry(path, old_entry.chapter)
                 return
         self.entries.insert(0, entry(path, "opened"))
 
     def neighbour(self, path: Path | None, direction: int) -> Path | None:
         """Return the next or the previous level, cyclically; None if the list is empty."""
-        paths = [known.path for known in self.entries]
+        paths = [entry.path for entry in self.entries]
         if not paths:
             return None
-        here = paths.index(path) if path in paths else -min(direction, 0)
-        return paths[(here + direction) % len(paths)]
+        index = paths.index(path) if path in paths else -min(direction, 0)
+        return paths[(index + direction) % len(paths)]

@@ -88,22 +88,22 @@ def _of_the_physics() -> Iterator[str]:
 def _of_the_format() -> Iterator[str]:
     """Yield the fields of a level, their descriptions, and their options."""
     for model in _models(Level, set()):
-        yield editable_fields.first_of(model)
+        yield editable_fields.summary_of(model)
         for name, field in model.model_fields.items():
             yield editable_fields.label_of(field.alias or name)
             yield editable_fields.help_of(model, name)
             yield from editable_fields.choices_of(field.annotation)
 
 
-def _models(kind: Any, known: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
+def _models(kind: Any, visited: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
     """Yield the models that a type consists of, except known ones."""
-    kind = editable_fields.bare(kind)
+    kind = editable_fields.bare_type(kind)
     parts: Iterable[Any] = get_args(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
-        if kind in known:
+        if kind in visited:
             return
-        known.add(kind)
+        visited.add(kind)
         yield kind
         parts = (field.annotation for field in kind.model_fields.values())
     for part in parts:
-        yield from _models(part, known)
+        yield from _models(part, visited)

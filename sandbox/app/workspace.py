@@ -113,7 +113,7 @@ class Workspace:
         if self.comfort.chosen is self._followed:
             return
         self._follow_preferences()
-        self.files.say_anew()
+        self.files.translate()
         self.pen.renew(self.comfort.scale)
         self.panels.renew(self.surface.size)
         if self.session is not None:

@@ -53,15 +53,15 @@ FINDING = "Finding the cheapest setting ..."
 """What is shown during the search, before the run that it is about to take."""
 
 
-def _stepping(given: Mapping[str, float | str]) -> Stepping:
+def _stepping(settings: Mapping[str, float | str]) -> Stepping:
     try:
-        return Stepping.model_validate(given)
+        return Stepping.model_validate(settings)
     except ValidationError as error:
         [name] = error.errors()[0]["loc"]
-        value = given[str(name)]
-        said = value if isinstance(value, str) else f"{value:g}"
+        value = settings[str(name)]
+        shown = value if isinstance(value, str) else f"{value:g}"
         rule = parse_messages.rule(error.errors()[0])
-        raise UsageError(f"--{name} {said}: {rule}") from error
+        raise UsageError(f"--{name} {shown}: {rule}") from error
 
 
 def find_out(level: Level, values: Values, also: Sequence[str] = ()) -> Stepping:

@@ -49,8 +49,12 @@ def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | N
             typer.echo(line)
     finally:  # the reader of the output may be gone
         if json_file is not None:
-            said = {"size": window, "seconds": seconds, "levels": [asdict(each) for each in found]}
-            write_atomically(json_file, f"{json.dumps(said, indent=2)}\n".encode())
+            result = {
+                "size": window,
+                "seconds": seconds,
+                "levels": [asdict(each) for each in found],
+            }
+            write_atomically(json_file, f"{json.dumps(result, indent=2)}\n".encode())
     return int(any(_counts(each) and not each.smooth for each in found))
 
 

@@ -82,8 +82,8 @@ def _finding(argument: str) -> Finding:
         _check_start(level)
     except SandboxError as error:
         return Finding([str(error)], refused=True)
-    said = ((".".join(map(str, remark.path)), remark.rule) for remark in remarks(level))
-    return Finding([f"{argument}: {place}: {rule}" for place, rule in said], refused=False)
+    rules = ((".".join(map(str, remark.path)), remark.rule) for remark in remarks(level))
+    return Finding([f"{argument}: {place}: {rule}" for place, rule in rules], refused=False)
 
 
 def _check_start(level: Level) -> None:

@@ -59,15 +59,15 @@ def weigh(argument: str, pairs: Sequence[str]) -> None:
 
 
 def _weight(level: Level, values: Values, trace: Trace, effect: str) -> Weight:
-    gone: tuple[str, ...] = ()
+    also_removed: tuple[str, ...] = ()
     try:
-        less, gone = without(level, effect)
+        less, also_removed = without(level, effect)
         other = simulate(less, values, record=trace.columns)
         full, bare = costs((level, less), values)
     except SandboxError as error:
-        return Weight(effect, gone, error=str(error))
+        return Weight(effect, also_removed, error=str(error))
     worst = max(differences(trace, other, positions=True), key=lambda found: found.fraction)
-    return Weight(effect, gone, worst, full - bare)
+    return Weight(effect, also_removed, worst, full - bare)
 
 
 def _row(weight: Weight) -> tuple[str, ...]:

@@ -40,7 +40,7 @@ class ExperimentRequest(NamedTuple):
 
 
 def experiment(
-    asked: ExperimentRequest, output: Path, jobs: int | None, address: str | None
+    request: ExperimentRequest, output: Path, jobs: int | None, address: str | None
 ) -> None:
     """Run an experiment, store it in a folder, and write its report."""
     if jobs is not None and not 1 <= jobs <= 1024:
@@ -52,7 +52,7 @@ def experiment(
     with needed_for("an experiment", "experiment"):
         from sandbox.experiments import report
         from sandbox.experiments.experiment_folder import Store
-    plan = _plan(asked)
+    plan = _plan(request)
     store = Store(output, plan)
     missing = sum(stop - start for start, stop in store.missing()) if not store.complete else 0
     if missing < plan.runs:
@@ -91,13 +91,13 @@ def _run(plan: "Plan", store: "Store", missing: int, jobs: int | None, address: 
 
 
 def _kept(plan: "Plan", missing: int) -> str:
-    kept = f"{plan.runs - missing:,} of {plan.runs:,} runs are kept"
-    return f"{kept}, and the same command goes on from there"
+    status = f"{plan.runs - missing:,} of {plan.runs:,} runs are kept"
+    return f"{status}, and the same command goes on from there"
 
 
-def fit(asked: ExperimentRequest, names: Sequence[str], data: Path | None, output: Path) -> None:
+def fit(request: ExperimentRequest, names: Sequence[str], data: Path | None, output: Path) -> None:
     """Fit parameters of a level to measured data, and write the result."""
-    if asked.vary or asked.measure or set(asked.others) - {"rate", "scheme"}:
+    if request.vary or request.measure or set(request.others) - {"rate", "scheme"}:
         raise UsageError("--fit: nothing is varied, drawn or measured beside it")
     if not names or data is None:
         raise UsageError(
@@ -106,10 +106,10 @@ def fit(asked: ExperimentRequest, names: Sequence[str], data: Path | None, outpu
     with needed_for("a fit", "experiment"):
         from sandbox.experiments import fit_report
         from sandbox.experiments import measured_data as measured
-        from sandbox.experiments.fitting import fit
-    source, level = argument_parsing.open_level(asked.argument)
-    values = choose(level, argument_parsing.settings(asked.set))
-    choice = Choice(asked.others.get("rate"), asked.others.get("scheme"))
+        from sandbox.experiments.parameter_estimation import fit
+    source, level = argument_parsing.open_level(request.argument)
+    values = choose(level, argument_parsing.settings(request.set))
+    choice = Choice(request.others.get("rate"), request.others.get("scheme"))
     stepping = settled(level, values, choice)
     found_data = measured.read(data, level)
     with folder_of_files(output):
@@ -122,31 +122,31 @@ def fit(asked: ExperimentRequest, names: Sequence[str], data: Path | None, outpu
     typer.echo(f"{page}: the page of it")
 
 
-def _plan(asked: ExperimentRequest) -> "Plan":
+def _plan(request: ExperimentRequest) -> "Plan":
     from sandbox.experiments import catalog
     from sandbox.experiments.experiment_file import parsed
     from sandbox.experiments.make_plan import make
 
-    if not (asked.vary or asked.measure):
-        if asked.set or asked.others:
+    if not (request.vary or request.measure):
+        if request.set or request.others:
             raise UsageError(
                 "an experiment's file says all of it: --vary and --measure make one of a level"
             )
-        return catalog.open_plan(catalog.find(asked.argument))
-    source, level = argument_parsing.open_level(asked.argument)
-    given = {
+        return catalog.open_plan(catalog.find(request.argument))
+    source, level = argument_parsing.open_level(request.argument)
+    options = {
         "level": source,
-        "vary": _pairs(asked.vary),
-        "measure": list(asked.measure),
-        "set": argument_parsing.settings(asked.set),
-        **asked.others,
+        "vary": _pairs(request.vary),
+        "measure": list(request.measure),
+        "set": argument_parsing.settings(request.set),
+        **request.others,
     }
-    found, faults = parsed(given)
+    found, faults = parsed(options)
     if found:
         plan, faults = make(found, source, level)
         if not faults:
             return plan
-    raise UsageError("\n".join(_message(fault, given) for fault in faults))
+    raise UsageError("\n".join(_message(fault, options) for fault in faults))
 
 
 def _pairs(texts: Sequence[str]) -> dict[str, str]:
@@ -161,11 +161,11 @@ def _pairs(texts: Sequence[str]) -> dict[str, str]:
     return found
 
 
-def _message(fault: Fault, given: Mapping[str, object]) -> str:
+def _message(fault: Fault, options: Mapping[str, object]) -> str:
     """Return the message of a fault, with the option that has it."""
     name, *inside = fault.path or ("vary",)
     where = f"--{name}"
-    part = given.get(str(name))
+    part = options.get(str(name))
     if inside and isinstance(part, dict) and inside[0] in part:
         where += f" {inside[0]}={brief(str(part[str(inside[0])]))}"
     elif inside and isinstance(part, list) and isinstance(inside[0], int):

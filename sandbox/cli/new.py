@@ -46,14 +46,14 @@ def _target(name: str) -> Path:
 
 def _source(template: str) -> Path:
     """Return the file of a template or of a level."""
-    known = templates.names()
-    if template in known:
+    names = templates.names()
+    if template in names:
         return templates.path(template)
     try:
         return level_catalog.find(template)
     except LevelError:
         levels = level_catalog.names()
-        hint = suggestion(template, levels if "/" in template else known)
+        hint = suggestion(template, levels if "/" in template else names)
         rule = f"is neither a template nor a level{hint}"
         raise argument_parsing.UsageError(f"--from {brief(template)}: {rule}") from None
 

@@ -89,9 +89,9 @@ def _page(*lines: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> Iterator[str]:
-    heads = tuple(heads)
-    for cells in (heads, ("---",) * len(heads), *rows):
+def _table(headings: Iterable[str], rows: Iterable[Iterable[str]]) -> Iterator[str]:
+    headings = tuple(headings)
+    for cells in (headings, ("---",) * len(headings), *rows):
         yield f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |"
 
 
@@ -208,18 +208,18 @@ def commands() -> str:
 def _command(name: str, command: Any) -> Iterator[str]:  # noqa: ANN401 (typer names no type for it)
     """Yield the description of a command, and of its arguments."""
     yield from ("", f"## {name}", "", *(command.help or "").strip().splitlines())
-    if rows := [_argument(given) for given in command.params if given.name != "help"]:
+    if rows := [_argument(parameter) for parameter in command.params if parameter.name != "help"]:
         yield from ("", *_table(("argument", "meaning"), rows))
 
 
-def _argument(given: Any) -> tuple[str, str]:  # noqa: ANN401 (the same)
+def _argument(parameter: Any) -> tuple[str, str]:  # noqa: ANN401 (the same)
     """Return an argument, or an option with its value, and its meaning."""
-    if given.param_type_name == "argument":
-        written = given.metavar or given.name.upper()
+    if parameter.param_type_name == "argument":
+        written = parameter.metavar or parameter.name.upper()
     else:
-        taken = given.metavar if given.metavar and not given.is_flag else ""
-        written = f"{', '.join(given.opts)} {taken}".strip()
-    return f"`{written}`", " ".join((given.help or "").split())
+        taken = parameter.metavar if parameter.metavar and not parameter.is_flag else ""
+        written = f"{', '.join(parameter.opts)} {taken}".strip()
+    return f"`{written}`", " ".join((parameter.help or "").split())
 
 
 PAGES = {"level-format.md": level_format, "quantities.md": all_quantities, "commands.md": commands}

@@ -49,8 +49,8 @@ def simulate(
     source, level = argument_parsing.open_level(argument)
     values = choose(level, settings)
     names = chosen(level, record)
-    asked = at_least_lasting(asking(level, accuracy, choice), values, duration)
-    stepping = settled(asked, values, choice, names if record else ())
+    requested = at_least_lasting(asking(level, accuracy, choice), values, duration)
+    stepping = settled(requested, values, choice, names if record else ())
     varied = vary(level, off, on, stepping)
     if duration is not None:
         argument_parsing.payable(duration, stepping, "--duration")
@@ -113,8 +113,8 @@ def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
     if found:
         for line in effect_options.differences(found):
             typer.echo(line)
-    said = [*telling.summary(found, str), telling.step_cost(cost)]
-    typer.echo(f"{varied.change.description}: {'; '.join(said)}")
+    lines = [*telling.summary(found, str), telling.step_cost(cost)]
+    typer.echo(f"{varied.change.description}: {'; '.join(lines)}")
 
 
 def chosen(level: Level, record: Sequence[str]) -> list[str]:

@@ -51,8 +51,8 @@ def _article(visit: Visit) -> str:
     found = list(check_report.lines(visit.results, complete=True))
     if visit.closing:
         found.append(f"energy: {visit.closing.text}")
-    said = visit.error or "\n".join(found)
-    parts.append(f"<pre>{escape(said)}</pre>")
+    body = visit.error or "\n".join(found)
+    parts.append(f"<pre>{escape(body)}</pre>")
     return f'<article id="{escape(visit.name)}">\n' + "\n".join(parts) + "\n</article>"
 
 

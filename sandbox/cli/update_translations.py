@@ -113,11 +113,11 @@ def of_the_levels() -> "Catalog":
     for name in level_catalog.names():
         path = level_catalog.root() / f"{name}.json"
         level = load(path)
-        places = [(path.relative_to(level_catalog.root().parent).as_posix(), 1)]
+        references = [(path.relative_to(level_catalog.root().parent).as_posix(), 1)]
         for _, text in prose(level):
-            found.add(text, locations=places)
+            found.add(text, locations=references)
         for part in filter(has_words, map(words_of_name, (*level.bodies, *level.joints))):
-            found.add(part, locations=places, context=level_translation.NAME)
+            found.add(part, locations=references, context=level_translation.NAME)
     return found
 
 

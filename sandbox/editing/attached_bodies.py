@@ -65,11 +65,11 @@ def _held_again(
 ) -> Changes:
     """Return the changes by which the end that stayed follows the other; none if both moved."""
     ends = sorted(ends_of(joint), key=lambda end: body_of(end[1]) in moved)
-    (step, stays), (_, goes) = ends
+    (step, stays), (_, moves_to) = ends
     if body_of(stays) in moved:
         return {}
     values = next(iter(where.values())).values
-    displacement = end_position(goes, level.bodies, values) - end_position(
+    displacement = end_position(moves_to, level.bodies, values) - end_position(
         stays, level.bodies, values
     )
     if isinstance(joint, Rail):

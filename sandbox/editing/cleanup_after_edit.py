@@ -71,10 +71,10 @@ def without_meaning(text: str) -> str:
     return text
 
 
-def _place(told: str, found: Spans) -> Path:
+def _place(message_path: str, found: Spans) -> Path:
     """Return the path of a mistake."""
     path: Path = ()
-    for step in told.split("."):
+    for step in message_path.split("."):
         index = int(step) if step.isdecimal() else -1
         path = (*path, index if (*path, index) in found else step)
     return path

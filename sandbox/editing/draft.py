@@ -69,14 +69,14 @@ class Draft:
     `held` is the content of its file, if there is one.
     """
 
-    def __init__(self, text: str, path: Path | None = None, held: bytes = b"") -> None:
+    def __init__(self, text: str, path: Path | None = None, file_content: bytes = b"") -> None:
         self.text = text
         """The present text."""
         self.path = path
         """The file; None if there is none yet."""
         self.saved = text
         """The saved text, or the initial one."""
-        self._held = held
+        self._held = file_content
         self._done: deque[Step] = deque(maxlen=MOST_STEPS)
         self._undone: list[Step] = []
         self._merge: str | None = None
@@ -95,8 +95,8 @@ class Draft:
     @classmethod
     def open(cls, path: Path) -> "Draft":
         """Return a draft of a file; raise `LevelError` if it cannot be read, or is not text."""
-        held = content(path)
-        return cls(decoded(held, str(path)), path, held)
+        file_content = content(path)
+        return cls(decoded(file_content, str(path)), path, file_content)
 
     @property
     def source(self) -> str:
@@ -194,9 +194,9 @@ class Draft:
         if not overwrite:
             self._refuse_to_overwrite(target)
         mark = codecs.BOM_UTF8 if self._held.startswith(codecs.BOM_UTF8) else b""
-        held = mark + self.text.encode()
-        write_atomically(target, held)
-        self.path, self._held, self.saved = target, held, self.text
+        file_content = mark + self.text.encode()
+        write_atomically(target, file_content)
+        self.path, self._held, self.saved = target, file_content, self.text
         self._merge = self._loaded = None
 
     def changed_outside(self) -> bool:
@@ -215,11 +215,11 @@ class Draft:
         """
         if self.path is None:
             raise SandboxError("the level has no file yet; there is nothing to read again")
-        held = content(self.path)
-        text = decoded(held, str(self.path))
+        file_content = content(self.path)
+        text = decoded(file_content, str(self.path))
         parse(text, str(self.path))  # refuses a file with mistakes
         self.change(text, "read the file again")
-        self._held, self.saved = held, text
+        self._held, self.saved = file_content, text
 
     def _refuse_to_overwrite(self, target: Path) -> None:
         if target != self.path:

@@ -72,9 +72,9 @@ class Recovery:
 class Recoverable:
     """A draft left by a process that has ended."""
 
-    def __init__(self, file: Path, kept: RecoveryFile) -> None:
+    def __init__(self, file: Path, recovery: RecoveryFile) -> None:
         self._file = file
-        self._kept = kept
+        self._kept = recovery
 
     @property
     def path(self) -> Path | None:
@@ -85,10 +85,10 @@ class Recoverable:
     def title(self) -> str:
         """The title of the level; empty if it has none."""
         try:
-            said = json.loads(self._kept.text)
+            document = json.loads(self._kept.text)
         except (ValueError, RecursionError):
             return ""
-        return str(said.get("title", "")) if isinstance(said, dict) else ""
+        return str(document.get("title", "")) if isinstance(document, dict) else ""
 
     @property
     def when(self) -> float:
@@ -100,15 +100,15 @@ class Recoverable:
 
         If the file has changed since, or is gone, the draft has no file, so that neither is lost.
         """
-        kept = self._kept
-        if kept.path is not None:
+        recovery = self._kept
+        if recovery.path is not None:
             with suppress(SandboxError):
-                draft = Draft.open(kept.path)
-                if draft.text == kept.saved:
-                    draft.change(kept.text, "recover what was drawn")
+                draft = Draft.open(recovery.path)
+                if draft.text == recovery.saved:
+                    draft.change(recovery.text, "recover what was drawn")
                     return draft
-        draft = Draft.of(kept.saved)
-        draft.change(kept.text, "recover what was drawn")
+        draft = Draft.of(recovery.saved)
+        draft.change(recovery.text, "recover what was drawn")
         return draft
 
     def forget(self) -> None:

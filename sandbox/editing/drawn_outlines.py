@@ -33,23 +33,25 @@ def simplified(points: Sequence[XY], tolerance: float, *, closed: bool) -> list[
         return _listed(line[_kept(line, tolerance)])
     line = np.vstack((line, line[:1]))
     farthest = int(np.hypot(*(line - line[0]).T).argmax())
-    there, back = line[: farthest + 1], line[farthest:]
-    kept = np.vstack((there[_kept(there, tolerance)][:-1], back[_kept(back, tolerance)][:-1]))
-    deviations = np.hypot(*(kept - np.roll(kept, 1, axis=0)).T) > tolerance
-    return _listed(kept[deviations] if deviations.sum() >= 3 else kept)
+    outward, back = line[: farthest + 1], line[farthest:]
+    corners = np.vstack(
+        (outward[_kept(outward, tolerance)][:-1], back[_kept(back, tolerance)][:-1])
+    )
+    deviations = np.hypot(*(corners - np.roll(corners, 1, axis=0)).T) > tolerance
+    return _listed(corners[deviations] if deviations.sum() >= 3 else corners)
 
 
 def _kept(line: Array, tolerance: float) -> list[int]:
     """Return the indices of the points of a line that are kept, in order."""
-    kept, pending = {0, len(line) - 1}, [(0, len(line) - 1)]
+    indices, pending = {0, len(line) - 1}, [(0, len(line) - 1)]
     while pending:
         first, last = pending.pop()
         away = _distances(line[first + 1 : last], line[first], line[last])
         if away.size and away.max() > tolerance:
             middle = first + 1 + int(away.argmax())
-            kept.add(middle)
+            indices.add(middle)
             pending += [(first, middle), (middle, last)]
-    return sorted(kept)
+    return sorted(indices)
 
 
 def _distances(points: Array, start: Array, end: Array) -> Array:

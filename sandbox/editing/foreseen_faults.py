@@ -100,25 +100,25 @@ class Foresight:
         """The bodies to which each body is joined."""
         partners: dict[str, set[str]] = {}
         for joint in self._level.joints.values():
-            held = set(bodies_of(joint))
-            for body in held:
-                partners.setdefault(body, set()).update(held)
+            joined = set(bodies_of(joint))
+            for body in joined:
+                partners.setdefault(body, set()).update(joined)
         return partners
 
     def _part(self, names: frozenset[str]) -> str:
         """Return the text of a level with some bodies only, and the joints among them."""
         if names not in self._parts:
-            said, level = self._document, self._level
+            document, level = self._document, self._level
             bodies = [name for name in level.bodies if name in names] or list(level.bodies)[:1]
             joints = [n for n, joint in level.joints.items() if {*bodies_of(joint)} <= names]
             part = {
                 "format": 1,
                 "title": "part",
-                "parameters": said.get("parameters", {}),
-                "constants": said.get("constants", {}),
-                "effects": said.get("effects", {}),
-                "bodies": {name: said["bodies"][name] for name in bodies},
-                "joints": {name: said["joints"][name] for name in joints},
+                "parameters": document.get("parameters", {}),
+                "constants": document.get("constants", {}),
+                "effects": document.get("effects", {}),
+                "bodies": {name: document["bodies"][name] for name in bodies},
+                "joints": {name: document["joints"][name] for name in joints},
             }
             self._parts[names] = without_meaning(json.dumps(part))
         return self._parts[names]

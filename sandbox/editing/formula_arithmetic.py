@@ -93,8 +93,8 @@ def rotated(angle: Expression, by: float) -> float | str:
     """Return an angle plus a constant [rad]; a number becomes a formula in degrees."""
     if angle.names:
         return shifted(angle, by)
-    told = plain(round(degrees(angle({}) + by), ROUND))
-    return f"{told!r}*deg" if told else 0
+    number = plain(round(degrees(angle({}) + by), ROUND))
+    return f"{number!r}*deg" if number else 0
 
 
 def renamed(source: str, name: str, new: str) -> str:

@@ -35,16 +35,16 @@ def laid_out(value: Json, margin: str, before: int) -> str:
         return short
     inner = margin + INDENT
     if isinstance(value, Mapping):
-        held, ends = _of_object(value, inner), "{}"
+        items, ends = _of_object(value, inner), "{}"
     else:
-        held, ends = (laid_out(each, inner, len(inner)) for each in value), "[]"
-    return f"{ends[0]}\n{inner}{_filled(list(held), inner)}\n{margin}{ends[1]}"
+        items, ends = (laid_out(each, inner, len(inner)) for each in value), "[]"
+    return f"{ends[0]}\n{inner}{_filled(list(items), inner)}\n{margin}{ends[1]}"
 
 
 def _of_object(value: Mapping[str, Json], inner: str) -> Iterator[str]:
-    for key, held in value.items():
+    for key, item in value.items():
         start = f"{line(key)}: "
-        yield start + laid_out(held, inner, len(inner) + len(start))
+        yield start + laid_out(item, inner, len(inner) + len(start))
 
 
 def _filled(members: Sequence[str], margin: str) -> str:
@@ -68,7 +68,7 @@ def _plain(value: Json) -> Json:
     if isinstance(value, float):
         return plain(value)
     if isinstance(value, Mapping):
-        return {key: _plain(held) for key, held in value.items()}
+        return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, Sequence) and not isinstance(value, str):
-        return [_plain(held) for held in value]
+        return [_plain(item) for item in value]
     return value

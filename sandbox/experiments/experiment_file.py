@@ -116,8 +116,8 @@ def _faults(error: ValidationError, document: Document | None, data: Any) -> Ite
         yield Fault((), "must be an object, {...}")
         return
     for detail in error.errors(include_url=False):
-        known = document.values.keys() if document else {detail["loc"][:1]}
-        path = parse_messages.path_of(detail, known.__contains__)
+        locations = document.values.keys() if document else {detail["loc"][:1]}
+        path = parse_messages.path_of(detail, locations.__contains__)
         yield Fault(path, _rule(detail))
 
 

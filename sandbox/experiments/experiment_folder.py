@@ -60,13 +60,13 @@ class Store:
             write_atomically(place, text)
             return
         try:
-            there = read_ordinary(without_links(place), LARGEST)
+            existing = read_ordinary(without_links(place), LARGEST)
         except OSError as error:
             raise SandboxError(
                 "cannot read {place}: {error}", place=place, error=str(error)
             ) from error
-        if there != text.encode():
-            changed = _difference(there or b"", text)
+        if existing != text.encode():
+            changed = _difference(existing or b"", text)
             raise SandboxError(
                 "{folder} holds another experiment ({changed}): name another folder, or remove"
                 " this one",
@@ -136,16 +136,16 @@ class Store:
         """Yield all rows in groups, of which only one is in memory at a time."""
         import pyarrow as pa
 
-        held, begin = schema(self._plan).empty_table(), 0
+        table, begin = schema(self._plan).empty_table(), 0
         for start, stop, path in self._done():
-            part = _part(path, held.schema)
-            held = pa.concat_tables([held, part.slice(max(begin - start, 0))])
+            part = _part(path, table.schema)
+            table = pa.concat_tables([table, part.slice(max(begin - start, 0))])
             begin = max(begin, stop)
-            while len(held) >= GROUP:
-                yield held.slice(0, GROUP).combine_chunks()
-                held = held.slice(GROUP).combine_chunks()
-        if len(held):
-            yield held.combine_chunks()
+            while len(table) >= GROUP:
+                yield table.slice(0, GROUP).combine_chunks()
+                table = table.slice(GROUP).combine_chunks()
+        if len(table):
+            yield table.combine_chunks()
 
     def _done(self) -> list[tuple[int, int, Path]]:
         """Return the stored parts, in the order of their rows."""
@@ -191,10 +191,10 @@ def description(plan: Plan) -> dict[str, object]:
     }
 
 
-def _difference(there: bytes, text: str) -> str:
+def _difference(existing: bytes, text: str) -> str:
     """Return where two descriptions differ."""
     try:
-        before, now = json.loads(there), json.loads(text)
+        before, now = json.loads(existing), json.loads(text)
         pairs = [(before[part], now[part], part) for part in ("experiment", "made with")]
         for old, new, part in pairs:
             for key in {**old, **new}:

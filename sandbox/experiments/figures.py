@@ -57,14 +57,16 @@ def _drawn(
     if not grids:
         return f"How often {measure.text} came out so large.", _histogram(plan, found, measure)
     along, others = _roles(plan, grids)
-    here = _first_of(plan, found, others[1:])
+    selected = _first_of(plan, found, others[1:])
     if not others:
-        return f"{measure.text} against {along}.", _curves(plan, found, measure, along, None, here)
+        return f"{measure.text} against {along}.", _curves(
+            plan, found, measure, along, None, selected
+        )
     if plan.grids[others[0]].count <= FAMILY:
         caption = f"{measure.text} against {along}, a curve for each {others[0]}."
-        return caption, _curves(plan, found, measure, along, others[0], here)
+        return caption, _curves(plan, found, measure, along, others[0], selected)
     caption = f"{measure.text} over {along} and {others[0]}."
-    return caption, _heat_map(plan, found, measure, (along, others[0]), here)
+    return caption, _heat_map(plan, found, measure, (along, others[0]), selected)
 
 
 def _roles(plan: Plan, grids: Sequence[str]) -> tuple[str, list[str]]:
@@ -80,14 +82,14 @@ def _roles(plan: Plan, grids: Sequence[str]) -> tuple[str, list[str]]:
 
 def _first_of(plan: Plan, found: Results, names: Sequence[str]) -> Array:
     """Return the rows with the first value of each of some axes: (R,)."""
-    here = np.ones(len(found.numbers), dtype=bool)
+    selected = np.ones(len(found.numbers), dtype=bool)
     for name in names:
-        here &= found.columns[name] == plan.grids[name].at(0)
-    return here
+        selected &= found.columns[name] == plan.grids[name].at(0)
+    return selected
 
 
 def _curves(
-    plan: Plan, found: Results, measure: Measure, along: str, family: str | None, here: Array
+    plan: Plan, found: Results, measure: Measure, along: str, family: str | None, selected: Array
 ) -> Figure:
     with style():
         figure = Figure(figsize=(6.4, 4), layout="constrained")
@@ -95,7 +97,7 @@ def _curves(
         axis = plan.grids[family] if family else None
         for i in range(axis.count if axis else 1):
             value = axis.at(i) if axis else None
-            rows = here & (found.columns[family] == value) if family else here
+            rows = selected & (found.columns[family] == value) if family else selected
             label = _named(plan, family, value) if family and value is not None else "measured"
             _curve(axes, plan, found, measure, along, rows, i, label)
         axes.set_xlabel(column_heading(along, axis_unit(plan, along)))
@@ -128,20 +130,22 @@ def _curve(
 
 
 def _heat_map(
-    plan: Plan, found: Results, measure: Measure, names: tuple[str, str], here: Array
+    plan: Plan, found: Results, measure: Measure, names: tuple[str, str], selected: Array
 ) -> Figure:
-    x, y = (np.unique(found.columns[name][here]) for name in names)
+    x, y = (np.unique(found.columns[name][selected]) for name in names)
     at = tuple(
-        np.searchsorted(values, found.columns[name][here])
+        np.searchsorted(values, found.columns[name][selected])
         for name, values in ((names[1], y), (names[0], x))
     )
-    cells = _cells(found.number(measure.text)[here], at, (len(y), len(x)))
+    cells = _cells(found.number(measure.text)[selected], at, (len(y), len(x)))
     with style():
         figure = Figure(figsize=(6.4, 5), layout="constrained")
         axes = figure.subplots()
         words = [i for i, v in enumerate((x, y)) if v.dtype.kind not in "fi"]
-        places = [np.arange(len(v)) if i in words else v for i, v in enumerate((x, y))]
-        drawn = axes.pcolormesh(*places, cells, shading="nearest", cmap="viridis", rasterized=True)
+        axes_values = [np.arange(len(v)) if i in words else v for i, v in enumerate((x, y))]
+        drawn = axes.pcolormesh(
+            *axes_values, cells, shading="nearest", cmap="viridis", rasterized=True
+        )
         _scales(axes, plan, names)
         if 1 in words:
             axes.set_yticks(np.arange(len(y)), [str(v) for v in y])
@@ -150,28 +154,28 @@ def _heat_map(
         bar = figure.colorbar(drawn, ax=axes)
         bar.set_label(column_heading(measure.text, measure.unit))
         if (form := found.columns.get(closed_form(measure.text))) is not None and not words:
-            _contours(axes, places, _cells(form[here], at, cells.shape), bar.get_ticks())
+            _contours(axes, axes_values, _cells(form[selected], at, cells.shape), bar.get_ticks())
     return figure
 
 
 def _cells(value: Array, at: Sequence[NDArray[np.intp]], shape: tuple[int, ...]) -> Array:
     """Return the mean of each cell: (Y, X); NaN for empty cells."""
-    known = np.isfinite(value)
-    where = at[0][known], at[1][known]
+    finite = np.isfinite(value)
+    where = at[0][finite], at[1][finite]
     sums, counts = np.zeros(shape), np.zeros(shape)
-    np.add.at(sums, where, value[known])
+    np.add.at(sums, where, value[finite])
     np.add.at(counts, where, 1)
     return np.divide(sums, counts, out=np.full(shape, np.nan), where=counts > 0)
 
 
 def _contours(
-    axes: Axes, places: Sequence[Array | NDArray[np.intp]], form: Array, levels: Array
+    axes: Axes, axes_values: Sequence[Array | NDArray[np.intp]], form: Array, levels: Array
 ) -> None:
     """Draw contours of the closed form at the ticks of the colour bar."""
-    known = form[np.isfinite(form)]
-    inside = [level for level in levels if (known > level).any() and (known < level).any()]
+    finite = form[np.isfinite(form)]
+    inside = [level for level in levels if (finite > level).any() and (finite < level).any()]
     if inside:
-        axes.contour(*places, form, inside, colors=FRAME, linewidths=1)
+        axes.contour(*axes_values, form, inside, colors=FRAME, linewidths=1)
         axes.set_title("lines: the closed form, at the marks of the scale", loc="left")
 
 
@@ -184,16 +188,16 @@ def _scales(axes: Axes, plan: Plan, names: tuple[str, str]) -> None:
 
 def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
     column = found.number(measure.text)
-    known = column[np.isfinite(column)]
+    finite = column[np.isfinite(column)]
     single = next(iter(plan.random_axes)) if len(plan.random_axes) == 1 else None
     with style():
         figure = Figure(figsize=(6.4, 3.6) if single is None else (6.4, 6), layout="constrained")
         first, *second = figure.subplots(1 if single is None else 2, squeeze=False).ravel()
-        form = found.columns.get(closed_form(measure.text), known[:0])
+        form = found.columns.get(closed_form(measure.text), finite[:0])
         form = form[np.isfinite(form)]
-        count = min(BINS, max(len(known) // 8, 8))
-        edges = np.histogram_bin_edges(np.concatenate((known, form)), count)
-        first.hist(known, edges, color=COLOURS[0], alpha=0.8, label="measured")
+        count = min(BINS, max(len(finite) // 8, 8))
+        edges = np.histogram_bin_edges(np.concatenate((finite, form)), count)
+        first.hist(finite, edges, color=COLOURS[0], alpha=0.8, label="measured")
         if len(form):
             first.hist(form, edges, histtype="step", color="black", label="closed form")
             legend_below(figure, first)
@@ -217,13 +221,13 @@ def shares(found: Sensitivity) -> Picture:
     with style():
         figure = Figure(figsize=(6.4, 3.2), layout="constrained")
         axes = figure.subplots()
-        places = np.arange(len(found.names))
+        positions = np.arange(len(found.names))
         for shift, values, errors, name, colour in (
             (-0.2, found.first, found.first_error, "by itself", COLOURS[0]),
             (0.2, found.total, found.total_error, "with all others", COLOURS[1]),
         ):
-            axes.bar(places + shift, values, 0.38, yerr=errors, label=name, color=colour)
-        axes.set_xticks(places, found.names)
+            axes.bar(positions + shift, values, 0.38, yerr=errors, label=name, color=colour)
+        axes.set_xticks(positions, found.names)
         axes.set_ylabel("share of the variance")
         axes.grid(visible=True, axis="y")
         legend_below(figure, axes)

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
-from sandbox.experiments.fitting import Fit, Fitted
 from sandbox.experiments.measured_data import Data
+from sandbox.experiments.parameter_estimation import Fit, Fitted
 from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.quantities import column_heading, quantity

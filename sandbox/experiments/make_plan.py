@@ -33,13 +33,13 @@ def make(experiment: Experiment, source: str, level: Level) -> tuple[Plan, list[
 
 def _faulty_axes(plan: Plan) -> Iterator[Fault]:
     level = plan.level
-    known = [*level.parameters, *NAMED, "rate"]
+    names = [*level.parameters, *NAMED, "rate"]
     if not plan.experiment.vary:
-        yield Fault(("vary",), "is empty; what can be varied: {known}", known=", ".join(known))
+        yield Fault(("vary",), "is empty; what can be varied: {known}", known=", ".join(names))
     for name, text in plan.experiment.vary.items():
         path = ("vary", name)
-        if name not in known:
-            hint = suggestion(name, known, longest=len(known))
+        if name not in names:
+            hint = suggestion(name, names, longest=len(names))
             yield Fault(
                 path, "'{name}' is not a parameter of the level{hint}", name=brief(name), hint=hint
             )

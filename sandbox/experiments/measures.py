@@ -22,8 +22,8 @@ import numpy as np
 from sandbox.experiments.observables import Observable
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.events import MOST_MEETINGS
 from sandbox.model.expressions import Expression
+from sandbox.model.instants import MOST_MEETINGS
 from sandbox.model.level import (
     ApexEvent,
     Check,
@@ -199,8 +199,8 @@ def _instant(text: str, level: Level) -> Instant | Place:
         return "until"
     call = _CALL.fullmatch(text)
     name, inside = (call[1], call[2]) if call else (text, "")
-    given = [part.strip() for part in inside.split(",")] if inside.strip() else []
-    match name, given:
+    arguments = [part.strip() for part in inside.split(",")] if inside.strip() else []
+    match name, arguments:
         case "landing", [*body] if len(body) < 3:
             height = body[1] if len(body) > 1 else 0
             return LandingEvent.model_validate(
@@ -276,15 +276,15 @@ def _over_parameters(text: str, level: Level) -> Expression:
     return found
 
 
-def _body(given: list[str], level: Level, text: str) -> str:
+def _body(arguments: list[str], level: Level, text: str) -> str:
     """Return the body of an event: the only one that moves, if none is named."""
-    if given:
-        if given[0] not in level.bodies:
-            hint = suggestion(given[0], level.bodies)
+    if arguments:
+        if arguments[0] not in level.bodies:
+            hint = suggestion(arguments[0], level.bodies)
             raise MeasureError(
-                "the level has no body '{given}'{hint}", given=brief(given[0]), hint=hint
+                "the level has no body '{given}'{hint}", given=brief(arguments[0]), hint=hint
             )
-        return given[0]
+        return arguments[0]
     moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     if len(moving) != 1:
         raise MeasureError(

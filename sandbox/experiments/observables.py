@@ -45,8 +45,8 @@ class Observable:
             quantity(name, level)
         standing = {name: f"q{i}_" for i, name in enumerate(names)}
         formula = Formula(_QUANTITY.sub(lambda found: standing[found[0]], text))
-        known = {*standing.values(), *level.parameters, "t"}
-        if unknown := next(iter(sorted(formula.names - known)), None):
+        known_names = {*standing.values(), *level.parameters, "t"}
+        if unknown := next(iter(sorted(formula.names - known_names)), None):
             hint = suggestion(unknown, {*level.parameters, "t"})
             raise ExpressionError(
                 "'{unknown}' is not a parameter of the level{hint}",
@@ -63,9 +63,9 @@ class Observable:
         """Return its value at every instant: (T,)."""
         if self._formula is None:
             return t if self.text == "t" else columns[self.text]
-        given = {f"q{i}_": columns[name] for i, name in enumerate(self.quantities)}
+        measured = {f"q{i}_": columns[name] for i, name in enumerate(self.quantities)}
         # expressions work on arrays as well
-        return self._formula.over({**values, **given}, t)  # type: ignore[dict-item]
+        return self._formula.over({**values, **measured}, t)  # type: ignore[dict-item]
 
 
 def holds_at(

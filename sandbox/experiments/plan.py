@@ -155,11 +155,11 @@ class Plan:
         Raises `ValidationError` if a value is not valid.
         """
         own = self.level.stepping
-        asked = {"rate": self.experiment.rate, "scheme": self.experiment.scheme, **varied}
-        given = {n: v for n, v in asked.items() if n in ("rate", "scheme") and v is not None}
-        if not given:
+        settings = {"rate": self.experiment.rate, "scheme": self.experiment.scheme, **varied}
+        changes = {n: v for n, v in settings.items() if n in ("rate", "scheme") and v is not None}
+        if not changes:
             return own
-        return Stepping.model_validate({**own.at(own.rate).model_dump(), **given})
+        return Stepping.model_validate({**own.at(own.rate).model_dump(), **changes})
 
     def variant(self, without: str) -> Variant:
         """Return the level without some effects, given by their names, joined by +.

@@ -60,20 +60,22 @@ def summaries(plan: Plan, found: Results) -> list[Summary]:
 
 def _summary(found: Results, measure: str, unit: str) -> Summary:
     column = found.number(measure)
-    known = column[np.isfinite(column)]
-    quantiles = tuple(np.quantile(known, QUANTILES).tolist()) if len(known) else (np.nan,) * 3
+    finite = column[np.isfinite(column)]
+    quantiles = tuple(np.quantile(finite, QUANTILES).tolist()) if len(finite) else (np.nan,) * 3
     worst = None
     if error(measure) in found.columns:
         errors = found.number(error(measure))
         errors = errors[np.isfinite(errors)]
         worst = float(errors.max()) if len(errors) else None
-    numbers = (known.mean(), known.std(ddof=1), known.min(), known.max()) if len(known) > 1 else ()
-    mean, deviation, least, most = map(
-        float, numbers or (known.sum() if len(known) else np.nan,) * 4
+    numbers = (
+        (finite.mean(), finite.std(ddof=1), finite.min(), finite.max()) if len(finite) > 1 else ()
     )
-    missing = len(column) - len(known)
+    mean, deviation, least, most = map(
+        float, numbers or (finite.sum() if len(finite) else np.nan,) * 4
+    )
+    missing = len(column) - len(finite)
     return Summary(
-        measure, unit, len(known), missing, mean, deviation if numbers else np.nan, least, most,
+        measure, unit, len(finite), missing, mean, deviation if numbers else np.nan, least, most,
         quantiles, worst,
     )  # fmt: skip
 

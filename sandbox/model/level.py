@@ -25,14 +25,14 @@ from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.challenge import Challenge
 from sandbox.model.effects import Effects
 from sandbox.model.events import MOST_EVENTS, Event, breakable, rebounding_stops
-from sandbox.model.events import ApexEvent as ApexEvent
-from sandbox.model.events import ContactEvent as ContactEvent
-from sandbox.model.events import CrossingEvent as CrossingEvent
-from sandbox.model.events import Instant as Instant
-from sandbox.model.events import LandingEvent as LandingEvent
-from sandbox.model.events import SeparationEvent as SeparationEvent
 from sandbox.model.expressions import Expression, Positive, Values
 from sandbox.model.functions_of_one_variable import Formula
+from sandbox.model.instants import ApexEvent as ApexEvent
+from sandbox.model.instants import ContactEvent as ContactEvent
+from sandbox.model.instants import CrossingEvent as CrossingEvent
+from sandbox.model.instants import Instant as Instant
+from sandbox.model.instants import LandingEvent as LandingEvent
+from sandbox.model.instants import SeparationEvent as SeparationEvent
 from sandbox.model.joints import (
     Joint,
 )

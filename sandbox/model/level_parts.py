@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple, Self
 
 from sandbox.model.contained_expressions import expressions as walk
-from sandbox.model.events import Instant
+from sandbox.model.instants import Instant
 from sandbox.model.json_positions import Path
 from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level import Check, Level

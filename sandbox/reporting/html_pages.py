@@ -48,5 +48,5 @@ def _rounded(tag: str) -> str:
 
 
 def _opening(label: str) -> str:
-    said = escape(label).replace("\\", r"\\")
-    return rf'<svg \1 role="img" aria-label="{said}">'
+    title = escape(label).replace("\\", r"\\")
+    return rf'<svg \1 role="img" aria-label="{title}">'

@@ -53,7 +53,7 @@ def titles(person: Person) -> list[str]:
 
 
 def card(person: Person, title: str) -> pygame.Rect:
-    return home(person).place(titles(person).index(title))
+    return home(person).card_rect(titles(person).index(title))
 
 
 def focused(person: Person) -> str:
@@ -155,7 +155,7 @@ def test_the_wheel_scrolls_as_far_as_there_are_cards(visitor: Person) -> None:
 
 def test_the_card_that_the_wheel_brings_under_the_mouse_is_lit(visitor: Person) -> None:
     visitor.resize((900, 600))
-    mouse = home(visitor).place(0).center
+    mouse = home(visitor).card_rect(0).center
     visitor.move(mouse)
 
     for _ in range(20):
@@ -163,7 +163,7 @@ def test_the_card_that_the_wheel_brings_under_the_mouse_is_lit(visitor: Person) 
         pygame.event.post(wheel)
     visitor.wait()
 
-    places = [home(visitor).place(i) for i in range(len(home(visitor).grid.cards))]
+    places = [home(visitor).card_rect(i) for i in range(len(home(visitor).grid.cards))]
     (under,) = (place for place in places if place.collidepoint(mouse))
     assert under != places[0]
     assert visitor.color_at((under.right - 8, under.bottom - 4)) == theme.RAISED
@@ -279,7 +279,7 @@ def test_cards_fill_the_width_and_never_overlap(visitor: Person, size: tuple[int
     visitor.wait()
 
     stage = visitor.window.panels.layout.stage
-    places = [home(visitor).place(i) for i in range(len(titles(visitor)))]
+    places = [home(visitor).card_rect(i) for i in range(len(titles(visitor)))]
     assert all(len(place.collidelistall(places)) == 1 for place in places)
     assert min(place.left for place in places) - stage.left < 40
     assert stage.right - max(place.right for place in places) < 50
@@ -347,7 +347,7 @@ def made(*paths: Path) -> list[picture_cache.Picture]:
     order.send(list(paths))
     if not paths:
         order.close()
-    return [*islice(picture_cache.made(picture_cache.folder(), orders), max(len(paths), 1))]
+    return [*islice(picture_cache.draw_all(picture_cache.folder(), orders), max(len(paths), 1))]
 
 
 @pytest.mark.sweep
@@ -394,7 +394,7 @@ def test_half_a_picture_counts_as_none(tmp_path: Path, content: bytes) -> None:
 
     (drawn,) = made(path)
 
-    assert picture_cache.kept(drawn.key) == drawn.png != b""
+    assert picture_cache.cached(drawn.key) == drawn.png != b""
 
 
 def test_a_folder_that_takes_no_pictures_is_no_reason_to_show_none(tmp_path: Path) -> None:
@@ -469,9 +469,9 @@ def test_what_was_not_saved_is_offered_above_the_cards_and_gone_on_with(
     person.wait()
     (left,) = recoverable()
     assert draft_strip.summary(left).startswith("Not saved: Lost and found, drawn ")
-    assert card(person, "Free fall").top > home(person).strip.place(0).bottom
+    assert card(person, "Free fall").top > home(person).strip.rect_of(0).bottom
 
-    person.click(home(person).strip.place(0))
+    person.click(home(person).strip.rect_of(0))
     person.wait(0.1)
 
     assert not home(person).open
@@ -479,7 +479,7 @@ def test_what_was_not_saved_is_offered_above_the_cards_and_gone_on_with(
     assert person.window.workers.of(Editor).work.draft.text == text
     person.press(pygame.K_F2)
     assert recoverable() == []  # it is this window's own now
-    assert home(person).place(0).top < 2 * picture_cache.SIZE[1]
+    assert home(person).card_rect(0).top < 2 * picture_cache.SIZE[1]
 
 
 def test_a_drawing_that_nobody_has_named_is_offered_in_the_language_of_the_window() -> None:
@@ -512,14 +512,16 @@ def test_a_chapter_above_the_cards_leads_to_its_own(visitor: Person) -> None:
     visitor.resize((900, 600))
     bar, (first, second) = home(visitor).chapters, home(visitor).grid.headings
 
-    visitor.click(bar.place(second.text))
+    visitor.click(bar.rect_of(second.text))
 
     entry = home(visitor).focus
     assert entry is not None
     assert say(entry.chapter.capitalize()) == second.text
     assert home(visitor)._top > first.y
-    assert home(visitor).place(titles(visitor).index(entry.title)).colliderect(home(visitor)._area)
-    visitor.click(bar.place(first.text))
+    assert (
+        home(visitor).card_rect(titles(visitor).index(entry.title)).colliderect(home(visitor)._area)
+    )
+    visitor.click(bar.rect_of(first.text))
     assert home(visitor)._top < second.y
 
 

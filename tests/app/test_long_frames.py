@@ -9,7 +9,7 @@ import pytest
 
 from sandbox.app import long_frames
 from sandbox.app.drawing import theme
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 from tests.app import scenes
 from tests.app.person import FRAME, Person
 

@@ -30,7 +30,7 @@ def home(person: Person) -> Home:
 
 def card(person: Person, title: str) -> pygame.Rect:
     titles = [level.title for level, _ in home(person).grid.cards]
-    return home(person).place(titles.index(title))
+    return home(person).card_rect(titles.index(title))
 
 
 def seen(person: Person, place: pygame.Rect) -> bytes:

@@ -9,7 +9,7 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, moving_and_aligning
 from sandbox.editing.edits.edit_result import EditResult
-from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.joint_creation import Pick, add_joint
 from sandbox.editing.edits.resizing import drag_handle
 from sandbox.editing.expanded_level import expanded
 from sandbox.editing.foreseen_faults import MOST, ForeseenFaults, Foresight, Proposed

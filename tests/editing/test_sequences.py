@@ -11,11 +11,11 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits import (
     bodies,
     challenges,
-    checks,
+    checks_and_ghosts,
     copying,
     effects,
     field_values,
-    joints,
+    joint_creation,
     mirroring,
     moving_and_aligning,
     pendulum_angle,
@@ -68,9 +68,9 @@ class Hand:
         known = st.sampled_from(sorted(self.level.bodies))
         return self._data.draw(st.lists(known, min_size=1, max_size=3, unique=True))
 
-    def pick(self) -> joints.Pick:
+    def pick(self) -> joint_creation.Pick:
         names = st.sampled_from([None, *sorted(self.level.bodies)])
-        return joints.Pick(self.point(), self._data.draw(names))
+        return joint_creation.Pick(self.point(), self._data.draw(names))
 
     def word(self, words: Iterable[str]) -> str:
         return self._data.draw(st.sampled_from(sorted(words)))
@@ -131,7 +131,7 @@ def duplicated(text: str, hand: Hand) -> str:
 
 def joined(text: str, hand: Hand) -> str:
     picks = [hand.pick() for _ in range(3)]
-    return joints.add_joint(text, hand.level, hand.word(KINDS), picks).text
+    return joint_creation.add_joint(text, hand.level, hand.word(KINDS), picks).text
 
 
 def declared(text: str, hand: Hand) -> str:
@@ -158,7 +158,7 @@ def checked(text: str, hand: Hand) -> str:
     found = suggestions(hand.level)
     if found:
         return with_suggestion(text, hand.level, found[0])
-    return checks.set_ghost(text, hand.body(), (hand.number(), "t"))
+    return checks_and_ghosts.set_ghost(text, hand.body(), (hand.number(), "t"))
 
 
 def tilted(text: str, hand: Hand) -> str:

@@ -7,7 +7,7 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import remove_parts
 from sandbox.editing.edits.copying import duplicate
-from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.joint_creation import Pick, add_joint
 from sandbox.editing.edits.moving_and_aligning import move
 from sandbox.editing.edits.resizing import drag_handle
 from sandbox.editing.renaming import rename

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from sandbox.model import level_catalog, templates
 from sandbox.model.level_writing import WIDTH, formatted, text, with_schema
 from sandbox.model.loading import parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 
 LEVELS = sorted(level_catalog.root().glob("*/*.json"))
 OURS = [*LEVELS, *map(templates.path, templates.names())]

@@ -18,7 +18,7 @@ from validation.compose.command import judge_scene, judged
 from validation.compose.families import FAMILIES
 from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.property_checks import MARGIN, Case, Judge, Judgement, judge
-from validation.compose.recorded_run import Course, Refused, run, run_at_advised_rate, start
+from validation.compose.recorded_run import RecordedRun, Refused, run, run_at_advised_rate, start
 from validation.compose.scene_builder import Draft
 from validation.compose.scene_symmetries import mirrored, turned
 from validation.compose.seeded_scenes import Scene, scene, seeds
@@ -47,7 +47,7 @@ def places(document: Document) -> Places:
 
 
 @cache
-def course(family: str, seed: int = 1) -> Course:
+def recorded(family: str, seed: int = 1) -> RecordedRun:
     found = of(family, seed)
     level = found.level()
     return run(found, level, start(level), 0.2)
@@ -209,14 +209,14 @@ def test_a_mirror_and_a_turn_can_be_undone(family: str) -> None:
 # Each judgement can fail
 
 
-def shifted(found: Course, body: str, by: tuple[float, float], begin: int = 1) -> Course:
+def shifted(found: RecordedRun, body: str, by: tuple[float, float], begin: int = 1) -> RecordedRun:
     """A run in which a body is at another place from a step on."""
     position = found.states.position.copy()
     position[begin:, list(found.scene.document["bodies"]).index(body)] += by
     return replace(found, states=replace(found.states, position=position))
 
 
-def sinking(found: Course, body: str, begin: int = 1) -> Course:
+def sinking(found: RecordedRun, body: str, begin: int = 1) -> RecordedRun:
     """A run in which a body sinks from a step on, by 1e-6 m per step."""
     position = found.states.position.copy()
     row = list(found.scene.document["bodies"]).index(body)
@@ -224,29 +224,29 @@ def sinking(found: Course, body: str, begin: int = 1) -> Course:
     return replace(found, states=replace(found.states, position=position))
 
 
-def faster(found: Course) -> Course:
+def faster(found: RecordedRun) -> RecordedRun:
     velocity = found.states.velocity.copy()
     velocity[len(velocity) // 2 :] *= 1.2
     return replace(found, states=replace(found.states, velocity=velocity))
 
 
-def pulling(found: Course) -> Course:
+def pulling(found: RecordedRun) -> RecordedRun:
     return replace(found, states=replace(found.states, tension=found.states.tension * 1.001))
 
 
-def short(found: Course) -> Course:
+def short(found: RecordedRun) -> RecordedRun:
     return replace(found, failure="it stopped")
 
 
-def unbooked(found: Course) -> Course:
+def unbooked(found: RecordedRun) -> RecordedRun:
     return replace(found, unexplained=found.unexplained + 1.0)
 
 
-def pushed(found: Course) -> Course:
+def pushed(found: RecordedRun) -> RecordedRun:
     return replace(found, lost_momentum=found.lost_momentum + 1e-3)
 
 
-DOCTORED: dict[str, tuple[Judge, str, Callable[[Course], Course]]] = {
+DOCTORED: dict[str, tuple[Judge, str, Callable[[RecordedRun], RecordedRun]]] = {
     "runs": (property_checks.runs, "wedged", short),
     "statics": (property_checks.statics, "wedged", pulling),
     "drift": (property_checks.statics, "wedged", lambda c: shifted(c, "box", (2e-5, 0))),
@@ -269,7 +269,7 @@ def test_every_judge_has_a_run_that_it_fails() -> None:
 @pytest.mark.parametrize("name", DOCTORED)
 def test_a_run_that_is_doctored_fails_where_it_was(name: str) -> None:
     one, family, doctor = DOCTORED[name]
-    sound = course(family)
+    sound = recorded(family)
 
     assert named(judge(sound, [one]), name).passed
     assert not named(judge(doctor(sound), [one]), name).passed
@@ -282,7 +282,7 @@ def test_stock_pymunk_is_of_first_order() -> None:
     level = make(document)
     naive = run(replace(found, document=document), level, build(level), 0.2)
 
-    assert named(judge(course("four_bar"), [property_checks.order]), "order").figure > 1.9
+    assert named(judge(recorded("four_bar"), [property_checks.order]), "order").figure > 1.9
     order = named(judge(naive, [property_checks.order]), "order")
     assert order.figure < 1.3
     assert not order.passed
@@ -306,7 +306,7 @@ def test_what_joints_swing_by_follows_from_places_and_velocities() -> None:
 
     for rate, expected in ((240, allowed), (480, allowed / 4)):
         case = whirled(rate)
-        assert case.energies.swings(case.course.states) == pytest.approx(expected, rel=1e-3)
+        assert case.energies.swings(case.recorded.states) == pytest.approx(expected, rel=1e-3)
 
 
 def test_energy_that_a_joint_passes_from_body_to_body_is_exchanged() -> None:
@@ -325,7 +325,7 @@ def test_energy_that_a_joint_passes_from_body_to_body_is_exchanged() -> None:
 
 
 def test_a_kick_that_goes_wrong_does_not_set_its_own_bound() -> None:
-    sound = course("four_bar")
+    sound = recorded("four_bar")
     wild = sound.states.acceleration.copy()
     wild[len(wild) // 2] *= 1000
     doctored = replace(sound, states=replace(sound.states, acceleration=wild))

@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from sandbox.model.loading import load
-from tests.validation.test_compose import FIELDS, course, of
+from tests.validation.test_compose import FIELDS, of, recorded
 from validation import cli
 from validation.compose import command
 from validation.compose.command import Outcome, complaints, judged
@@ -71,6 +71,6 @@ def test_a_scene_is_judged_by_its_seed_alone() -> None:
 def test_a_case_knows_how_far_its_bodies_reach() -> None:
     box = of("wedged").document["bodies"]["box"]["shape"]
 
-    assert Case(course("wedged")).extents[1] == pytest.approx(
+    assert Case(recorded("wedged")).extents[1] == pytest.approx(
         hypot(box["width"], box["height"]) / 2
     )

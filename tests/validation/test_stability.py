@@ -21,16 +21,16 @@ from validation.stability.families import (
     all_frontiers,
     all_levels,
     chains,
-    coupled_systems,
+    contact_and_joint_coupling,
     cradles,
 )
 from validation.stability.frontier import furthest, reach, step_cost, trial
 from validation.stability.hard_case import Frontier, HardCase, make, watch
-from validation.stability.levels import FOLDER
 from validation.stability.report import failures, out_of_reach
 from validation.stability.run_all_cases import Outcome, run_case, run_frontier
 from validation.stability.run_measures import drift, separation
 from validation.stability.stock_pymunk import naive
+from validation.stability.write_hard_levels import FOLDER
 
 CASES = {case.name: case for case in all_cases()}
 FRONTIERS = {frontier.name: frontier for frontier in all_frontiers()}
@@ -258,7 +258,7 @@ def test_pymunk_alone_has_its_own_joints() -> None:
 
 
 def test_pymunks_own_rail_is_a_groove() -> None:
-    world = naive(make(coupled_systems.strut(10)), 1000)
+    world = naive(make(contact_and_joint_coupling.strut(10)), 1000)
     joints = world.scene.space.constraints
 
     assert {type(c) for c in joints} == {pymunk.PinJoint, pymunk.GrooveJoint}

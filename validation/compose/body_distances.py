@@ -15,7 +15,7 @@ import numpy as np
 from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans
-from validation.compose.recorded_run import Course
+from validation.compose.recorded_run import RecordedRun
 from validation.compose.shapes import Part, is_dynamic, outline
 from validation.stability.scene_parts import Document
 
@@ -181,7 +181,7 @@ def overlapped(couple: Couple) -> float:
     return float(np.maximum.reduceat(depth, begins).sum()) if begins.size else 0.0
 
 
-def excess(course: Course, couple: Couple, extents: Array) -> float:
+def excess(recorded: RecordedRun, couple: Couple, extents: Array) -> float:
     """Return the overlap of two bodies beyond what a recent impact explains [m].
 
     `extents` are the reach of the bodies from their centres: (n,) [m].
@@ -189,25 +189,25 @@ def excess(course: Course, couple: Couple, extents: Array) -> float:
     depth = np.maximum(-couple.separation, 0.0)
     if not (depth > SKIN).any():
         return float(depth.max())
-    ways = _ways(course, couple, extents)
+    ways = _ways(recorded, couple, extents)
     allowance = np.zeros(len(depth))
     step = np.arange(len(depth))
-    share = np.where(step <= SOON * course.rate, 1.0, _left(course) ** step)
+    share = np.where(step <= SOON * recorded.rate, 1.0, _left(recorded) ** step)
     for at in np.flatnonzero(couple.entered(SKIN)):
         allowance[at:] = np.maximum(allowance[at:], ways[at] * share[: len(depth) - at])
     return float((depth - allowance).max())
 
 
-def _left(course: Course) -> float:
+def _left(recorded: RecordedRun) -> float:
     """Return the share of an overlap that a step leaves; 0 if it must vanish soon."""
-    if is_direct(course.level):
+    if is_direct(recorded.level):
         return 0.0
-    return 1.0 if course.level.effects.restitution else 1 - SLOWLY
+    return 1.0 if recorded.level.effects.restitution else 1 - SLOWLY
 
 
-def _ways(course: Course, couple: Couple, extents: Array) -> Array:
+def _ways(recorded: RecordedRun, couple: Couple, extents: Array) -> Array:
     """Return the greatest possible approach of two bodies in each step: (T,) [m]."""
-    seen, names = course.states, list(course.scene.document["bodies"])
+    seen, names = recorded.states, list(recorded.scene.document["bodies"])
     a, b = (names.index(name) for name in couple.names)
     apart = np.diff(seen.position[:, a] - seen.position[:, b], axis=0)
     turn = sum(np.abs(np.diff(seen.angle[:, i])) * extents[i] for i in (a, b))

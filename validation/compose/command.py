@@ -135,12 +135,12 @@ def judge_scene(found: Scene) -> Outcome:
     judgements: list[Judgement] = []
     try:
         level = found.level()
-        course = run_at_advised_rate(found, level)
+        recorded = run_at_advised_rate(found, level)
     except (SandboxError, Refused) as error:
         refused, reason = True, str(error)
     else:
-        rate, reason = course.rate, course.failure
-        judgements = judge(course)
+        rate, reason = recorded.rate, recorded.failure
+        judgements = judge(recorded)
     return Outcome(
         found.seed, found.family, len(found.document["bodies"]), len(found.document["joints"]),
         tuple(judgements), not refused and all(j.passed for j in judgements), refused, reason, rate,

@@ -5,7 +5,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
 from validation.compose.joint_constraints import JointConstraints, Places
-from validation.compose.recorded_run import Course
+from validation.compose.recorded_run import RecordedRun
 from validation.compose.shapes import is_dynamic, moment
 from validation.stability.scene_parts import Document
 
@@ -45,10 +45,10 @@ KNOWN = 3e-9
 class Energies:
     """The energies of a run; T instants, n bodies."""
 
-    def __init__(self, course: Course, keeping: JointConstraints) -> None:
-        document, seen = course.scene.document, course.states
+    def __init__(self, recorded: RecordedRun, keeping: JointConstraints) -> None:
+        document, seen = recorded.scene.document, recorded.states
         bodies = list(document["bodies"].values())
-        self._course, self._keeping = course, keeping
+        self._recorded, self._keeping = recorded, keeping
         self._mass = np.array([float(b["mass"]) if is_dynamic(b) else 0.0 for b in bodies])
         self._moment = np.array([moment(b) if is_dynamic(b) else 0.0 for b in bodies])
         if "rotation" not in document["effects"]:
@@ -66,7 +66,7 @@ class Energies:
     @property
     def momentum(self) -> Array:
         """The momentum in x and y, and about the origin: (T, 3) [N s, N s, N m s]."""
-        seen = self._course.states
+        seen = self._recorded.states
         linear = np.einsum("n,tnc->tc", self._mass, seen.velocity)
         x, y = seen.position[..., 0], seen.position[..., 1]
         orbital = (x * seen.velocity[..., 1] - y * seen.velocity[..., 0]) @ self._mass
@@ -75,7 +75,7 @@ class Energies:
     @property
     def bustle(self) -> Array:
         """The sums of the bodies' absolute momenta: (T, 3)."""
-        seen = self._course.states
+        seen = self._recorded.states
         sizes = np.hypot(seen.velocity[..., 0], seen.velocity[..., 1])
         linear = sizes @ self._mass
         far = np.hypot(seen.position[..., 0], seen.position[..., 1])
@@ -89,7 +89,7 @@ class Energies:
     def turnover(self) -> float:
         """Return the energy that was converted, exchanged, or was added by drives [J]."""
         swings = [float(np.ptp(e)) for e in (self.kinetic, self.stored, self.high)]
-        return max(min(max(*swings, self._exchanged()), self._there()), self._course.worked)
+        return max(min(max(*swings, self._exchanged()), self._there()), self._recorded.worked)
 
     def _exchanged(self) -> float:
         """Return the most kinetic energy that a body took or gave, other than in an impact [J].
@@ -97,15 +97,15 @@ class Energies:
         Where joints alone act, the kinetic energy of all bodies is constant, and its swing is
         nothing but the error that it is to bound.
         """
-        pairs = self._course.pairs
+        pairs = self._recorded.pairs
         ends = [i for i in range(1, len(pairs)) if pairs[i] != pairs[i - 1]]
         parts = np.split(self._each, ends)
         return max(float(np.ptp(part, axis=0).max()) for part in parts)
 
     def _there(self) -> float:
         """Return the energy that could be converted in free fall, an independent bound [J]."""
-        t = float(self._course.states.t[-1])
-        speeds = np.hypot(*self._course.states.velocity[0].T)
+        t = float(self._recorded.states.t[-1])
+        speeds = np.hypot(*self._recorded.states.velocity[0].T)
         fallen = self._mass @ (speeds * t + np.hypot(*self._gravity) * t**2 / 2)
         lifted = float(np.hypot(*self._gravity) * fallen)
         return float(self.kinetic[0] + self.stored[0]) + lifted
@@ -117,7 +117,7 @@ class Energies:
         and Wanner, Geometric Numerical Integration, IX.8). Here |v · V'' v| = |m v · da/dt|, and F
         includes the forces of joints. The difference between two times may be twice as large.
         """
-        seen, dt = self._course.states, self._course.dt
+        seen, dt = self._recorded.states, self._recorded.dt
         pulls = np.sum(seen.acceleration**2, axis=-1) @ self._mass
         pulls += seen.angular_acceleration**2 @ self._moment
         if len(pulls) < 3:
@@ -127,7 +127,7 @@ class Energies:
         speed = np.hypot(seen.velocity[1:, :, 0], seen.velocity[1:, :, 1])
         jerks = (speed * change) @ self._mass
         jerks += (np.abs(seen.angular_velocity[1:]) * turn) @ self._moment
-        touching = "contact" in self._course.scene.document["effects"]
+        touching = "contact" in self._recorded.scene.document["effects"]
         share, peak = (USUAL, PEAKS) if touching else (1.0, 1.0)
         usual = np.quantile(pulls, share) / 12 + np.quantile(jerks, share) / 6
         return float(peak * dt**2 * usual)
@@ -156,7 +156,7 @@ class Energies:
         ease = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
         mass = np.einsum("tinc,nc,tjnc->tij", slopes, ease, slopes)
         pulls = np.linalg.pinv(mass, SINGULAR, hermitian=True) @ bends[..., None]
-        return float(np.einsum("ti,ti->t", bends, pulls[..., 0]).max() * self._course.dt**2 / 4)
+        return float(np.einsum("ti,ti->t", bends, pulls[..., 0]).max() * self._recorded.dt**2 / 4)
 
     def _bends(self, state: Snapshot, poses: Places) -> Array:
         """Return the second time derivatives of the constraints in straight motion: (T, m)."""
@@ -176,15 +176,15 @@ class Energies:
         work at the mean of the velocities before and after it, each for half of the step. Half of
         that work may therefore be off by their difference: m a dt Δv / 4.
         """
-        course, seen = self._course, self._course.states
-        met = [i for i in range(2, course.steps) if course.pairs[i] - course.pairs[i - 1]]
+        recorded, seen = self._recorded, self._recorded.states
+        met = [i for i in range(2, recorded.steps) if recorded.pairs[i] - recorded.pairs[i - 1]]
         if not met:
             return 0.0
         at = np.array(met)
         jumps = np.hypot(*np.moveaxis(seen.velocity[at + 1] - seen.velocity[at - 2], -1, 0))
         pulls = np.hypot(*np.moveaxis(seen.acceleration[at - 2], -1, 0))
         pulls = np.maximum(pulls, np.hypot(*self._gravity))
-        return float(np.sum((pulls * jumps) @ self._mass)) * course.dt / 4
+        return float(np.sum((pulls * jumps) @ self._mass)) * recorded.dt / 4
 
     def allowed(self, overlapped: float) -> float:
         """Return the largest allowed error of the energy [J], from the depths of all overlaps [m].
@@ -194,13 +194,13 @@ class Energies:
         """
         largest = max(float(np.abs(e).max()) for e in (self.kinetic, self.stored, self.high))
         late = self.weight() * overlapped + self.landings()
-        order = max(self.second_order(), self.swings(self._course.states))
+        order = max(self.second_order(), self.swings(self._recorded.states))
         leading = min(order, ROUGHEST * self.turnover()) + late
         return NEXT * leading + self.weight() * KNOWN + ROUNDING * largest + TINY
 
     def _springs(self, document: Document, keeping: JointConstraints) -> Array:
         """Return the energy stored in springs: (T,) [J]."""
-        seen = self._course.states
+        seen = self._recorded.states
         places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)
         total = np.zeros(len(seen.t))
         for joint in document["joints"].values():

@@ -17,7 +17,7 @@ from sandbox.physics.state.snapshot import Snapshot
 from validation.compose.body_distances import SKIN, couples, excess, overlapped
 from validation.compose.independent_energy import NEXT, Energies, is_passive
 from validation.compose.joint_constraints import JointConstraints, Places
-from validation.compose.recorded_run import Course, Refused, positions, run, start
+from validation.compose.recorded_run import RecordedRun, Refused, positions, run, start
 from validation.compose.scene_symmetries import mirrored, turned
 from validation.compose.shapes import extent, is_dynamic
 from validation.compose.static_equilibrium import Measured, Statics
@@ -92,12 +92,12 @@ def _least(name: str, figure: float, bound: float) -> Judgement:
 class Case:
     """A run, and the data that several judges need."""
 
-    def __init__(self, course: Course) -> None:
-        self.course = course
-        self.document: Document = course.scene.document
-        self.keeping = JointConstraints(self.document, course.level)
-        self.energies = Energies(course, self.keeping)
-        seen = course.states
+    def __init__(self, recorded: RecordedRun) -> None:
+        self.recorded = recorded
+        self.document: Document = recorded.scene.document
+        self.keeping = JointConstraints(self.document, recorded.level)
+        self.energies = Energies(recorded, self.keeping)
+        seen = recorded.states
         touches = "contact" in self.document["effects"]
         found = couples(self.document, seen.position, seen.angle) if touches else ()
         self.couples = list(found)
@@ -107,7 +107,7 @@ class Case:
 
     def poses(self, at: int | None = None) -> Places:
         """Return the positions of the bodies, at all instants or at one."""
-        seen, rows = self.course.states, slice(None) if at is None else slice(at, at + 1)
+        seen, rows = self.recorded.states, slice(None) if at is None else slice(at, at + 1)
         x, y = seen.position[rows, :, 0], seen.position[rows, :, 1]
         return Places(x, y, seen.angle[rows], seen.t[rows])
 
@@ -121,36 +121,36 @@ class Case:
         A strut that stands upright under its load falls to a side that rounding decides. A scene
         that moves from the start returns all of its steps.
         """
-        places = self.course.states.position[:, self.extents > 0]
+        places = self.recorded.states.position[:, self.extents > 0]
         gone = np.abs(places - places[0]).max(axis=(1, 2), initial=0.0)
-        if gone[min(FEW, self.course.steps)] > EXACT:
-            return self.course.steps
+        if gone[min(FEW, self.recorded.steps)] > EXACT:
+            return self.recorded.steps
         moved = np.flatnonzero(gone > EXACT)
-        return int(moved[0]) if moved.size else self.course.steps
+        return int(moved[0]) if moved.size else self.recorded.steps
 
 
 def runs(case: Case) -> Iterator[Judgement]:
     """Require that the run reaches its end."""
-    course = case.course
-    came = float(course.states.t[-1])
-    yield Judgement("runs", came, course.intended_duration, not course.failure)
+    recorded = case.recorded
+    came = float(recorded.states.t[-1])
+    yield Judgement("runs", came, recorded.intended_duration, not recorded.failure)
 
 
 def statics(case: Case) -> Iterator[Judgement]:
     """Require that bodies at rest stay so, held by forces in equilibrium."""
-    course = case.course
-    if not course.scene.is_at_rest:
+    recorded = case.recorded
+    if not recorded.scene.is_at_rest:
         return
     if not Statics(case.document, case.keeping, case.poses(0)).stands(MARGIN):
         return
-    last = course.steps
+    last = recorded.steps
     worst = 0.0
     for at in sorted({0, 1, last // 3, last // 3 + 1, 2 * last // 3, last - 1, last} - {-1}):
         there = Statics(case.document, case.keeping, case.poses(at))
-        measured = Measured(course.states.normal[at], course.states.tension[at])
+        measured = Measured(recorded.states.normal[at], recorded.states.tension[at])
         worst = max(worst, there.error(measured))
     yield _most("statics", worst, FORCES)
-    yield _most("drift", _furthest(case, course.states, course.states), DRIFT)
+    yield _most("drift", _furthest(case, recorded.states, recorded.states), DRIFT)
 
 
 def _furthest(case: Case, state: Snapshot, start: Snapshot) -> float:
@@ -177,8 +177,8 @@ def energy(case: Case) -> Iterator[Judgement]:
 
 def _energy_errors(case: Case) -> dict[str, float]:
     """Return the energy that the ledger cannot explain and, where none may, that appeared [J]."""
-    total, booked = case.energies.total, case.course.ledger_energy
-    books = float(np.abs(case.course.unexplained).max())
+    total, booked = case.energies.total, case.recorded.ledger_energy
+    books = float(np.abs(case.recorded.unexplained).max())
     if not is_passive(case.document):
         return {"books": books}
     later = (booked - np.minimum.accumulate(booked)).max()
@@ -191,16 +191,16 @@ def _whipped(case: Case) -> float:
     A finer run tells the peak of its acceleration, and what a second-order error would be. One
     that does not conserve energy itself allows nothing.
     """
-    course = case.course
+    recorded = case.recorded
     try:
-        world = start(course.level, FINELY * course.rate)
+        world = start(recorded.level, FINELY * recorded.rate)
     except Refused:
         return 0.0
-    finer = Case(run(course.scene, course.level, world, float(course.states.t[-1])))
+    finer = Case(run(recorded.scene, recorded.level, world, float(recorded.states.t[-1])))
     error = max(_energy_errors(finer).values())
     if error > finer.energies.allowed(finer.overlapped):
         return 0.0
-    return NEXT * min(case.energies.swings(finer.course.states), FINELY**2 * error)
+    return NEXT * min(case.energies.swings(finer.recorded.states), FINELY**2 * error)
 
 
 def momentum(case: Case) -> Iterator[Judgement]:
@@ -209,14 +209,14 @@ def momentum(case: Case) -> Iterator[Judgement]:
     Bodies that are pushed out of an overlap carry their momentum along; that much angular momentum
     is allowed.
     """
-    course, energies = case.course, case.energies
-    far, t = 1 + np.abs(course.states.position).max(), course.states.t[-1]
+    recorded, energies = case.recorded, case.energies
+    far, t = 1 + np.abs(recorded.states.position).max(), recorded.states.t[-1]
     bustle = energies.bustle.max(axis=0)
     scale = bustle + energies.weight() * t * np.array((1, 1, far))
     scale = np.where(scale > 0, scale, inf)
     pushed = np.array((0.0, 0.0, case.overlapped * scale[0]))
-    lost = np.abs(course.lost_momentum)
-    axes = [("x", "y", "angle").index(name) for name in course.scene.conserved_momenta]
+    lost = np.abs(recorded.lost_momentum)
+    axes = [("x", "y", "angle").index(name) for name in recorded.scene.conserved_momenta]
     lost[:, axes] = np.maximum(lost, np.abs(energies.momentum - energies.momentum[0]))[:, axes]
     figure = float((np.maximum(lost - pushed, 0.0) / scale).max())
     yield _most("momentum", figure, MOMENTUM)
@@ -238,15 +238,15 @@ def overlap(case: Case) -> Iterator[Judgement]:
     if case.couples:
         yield _most(
             "overlap",
-            max(excess(case.course, couple, case.extents) for couple in case.couples),
+            max(excess(case.recorded, couple, case.extents) for couple in case.couples),
             SKIN,
         )
 
 
 def order(case: Case) -> Iterator[Judgement]:
     """Require that errors fall with the square of the step, while forces change smoothly."""
-    course = case.course
-    steps = min(_smooth(case), int(WINDOW * course.rate))
+    recorded = case.recorded
+    steps = min(_smooth(case), int(WINDOW * recorded.rate))
     if steps < FEW:
         return
     try:
@@ -264,20 +264,20 @@ def order(case: Case) -> Iterator[Judgement]:
 
 def _smooth(case: Case) -> int:
     """Return the number of steps before any force sets in or ends suddenly."""
-    course = case.course
-    if course.scene.is_at_rest or (case.rough() and any(course.pairs)):
+    recorded = case.recorded
+    if recorded.scene.is_at_rest or (case.rough() and any(recorded.pairs)):
         return 0  # nothing moves, or slipping may end at any time
-    taut = course.taut[1:]  # not all schemes know the tensions at the start
+    taut = recorded.taut[1:]  # not all schemes know the tensions at the start
     changed = np.flatnonzero((taut != taut[:1]).any(axis=1))
-    setting_in = int(changed[0]) if changed.size else course.steps
-    return min(course.undisturbed(), setting_in, case.steps_before_tipping()) - 1
+    setting_in = int(changed[0]) if changed.size else recorded.steps
+    return min(recorded.undisturbed(), setting_in, case.steps_before_tipping()) - 1
 
 
 def _errors(case: Case, finer: int, steps: int) -> tuple[float, float]:
     """Return the differences between runs at a rate, twice and four times that [m]."""
-    course = case.course
+    recorded = case.recorded
     seen = [
-        positions(course.level, course.rate * factor, steps, factor)
+        positions(recorded.level, recorded.rate * factor, steps, factor)
         for factor in (finer, 2 * finer, 4 * finer)
     ]
     return _apart(case, seen[0], seen[1]), _apart(case, seen[1], seen[2])
@@ -294,8 +294,8 @@ def symmetry(case: Case) -> Iterator[Judgement]:
 
     This is checked until there is a new contact, and for no longer than `WINDOW`.
     """
-    course = case.course
-    steps = min(course.undisturbed(), case.steps_before_tipping(), int(WINDOW * course.rate))
+    recorded = case.recorded
+    steps = min(recorded.undisturbed(), case.steps_before_tipping(), int(WINDOW * recorded.rate))
     if steps < FEW:
         return
     c, s = np.cos(TURN), np.sin(TURN)
@@ -315,14 +315,14 @@ class InverseTransform(NamedTuple):
 
 def _astray(case: Case, document: Document, back: InverseTransform, steps: int) -> float:
     """Return the distance of a changed scene from the run [m]; infinite if it stops."""
-    course = case.course
+    recorded = case.recorded
     try:
-        there = positions(make(document), course.rate, steps, 1)
+        there = positions(make(document), recorded.rate, steps, 1)
     except SandboxError:
         return inf
     place, angle = there.position @ back.matrix.T, back.sign * there.angle + back.offset
-    apart = np.hypot(*np.moveaxis(place - course.states.position[: steps + 1], -1, 0))
-    turn = np.abs(angle - course.states.angle[: steps + 1]) * case.extents
+    apart = np.hypot(*np.moveaxis(place - recorded.states.position[: steps + 1], -1, 0))
+    turn = np.abs(angle - recorded.states.angle[: steps + 1]) * case.extents
     moves = [is_dynamic(body) for body in case.document["bodies"].values()]
     return float((apart + turn)[:, moves].max())
 
@@ -334,8 +334,8 @@ JUDGES: Sequence[Judge] = (
 )  # fmt: skip
 
 
-def judge(course: Course, judges: Sequence[Judge] = JUDGES) -> list[Judgement]:
+def judge(recorded: RecordedRun, judges: Sequence[Judge] = JUDGES) -> list[Judgement]:
     """Return all judgements of a run, or those of given judges."""
     with np.errstate(all="ignore"):
-        case = Case(course)
+        case = Case(recorded)
         return [found for one in judges for found in one(case)]

@@ -36,7 +36,7 @@ class Refused(Exception):  # noqa: N818 (an outcome, and no error)
 
 
 @dataclass(slots=True)
-class Course:
+class RecordedRun:
     """The record of a run; T instants, the first at the start."""
 
     scene: Scene
@@ -104,20 +104,20 @@ def start(level: Level, rate: float | None = None) -> World:
     raise Refused(f"needs ever higher rates, at last {rate:,} Hz")
 
 
-def run_at_advised_rate(scene: Scene, level: Level) -> Course:
+def run_at_advised_rate(scene: Scene, level: Level) -> RecordedRun:
     """Run a level and, if it stops and a rate is advised, run it again at that rate.
 
     Raises `Refused` if it cannot start.
     """
-    course = run(scene, level, start(level))
+    recorded = run(scene, level, start(level))
     for _ in range(TRIES):
-        if course.advised is None or course.advised <= course.rate:
+        if recorded.advised is None or recorded.advised <= recorded.rate:
             break
-        course = run(scene, level, start(level, course.advised), course.intended_duration)
-    return course
+        recorded = run(scene, level, start(level, recorded.advised), recorded.intended_duration)
+    return recorded
 
 
-def run(scene: Scene, level: Level, world: World, duration: float | None = None) -> Course:
+def run(scene: Scene, level: Level, world: World, duration: float | None = None) -> RecordedRun:
     """Run a world, and record every step and its ledger.
 
     By default it is as long as the level, but has at most `MOST_STEPS` steps.
@@ -138,7 +138,7 @@ def run(scene: Scene, level: Level, world: World, duration: float | None = None)
             if process_time() > deadline:
                 failure = f"took more than {limit:g} s"
                 break
-    return notes.course(scene, level, steps * world.dt, failure, advised)
+    return notes.recorded_run(scene, level, steps * world.dt, failure, advised)
 
 
 @dataclass(slots=True)
@@ -169,12 +169,12 @@ class _Notes:
         self.unexplained.append(balance.unexplained)
         self.lost_momentum.append(balance.unexplained_impulse)
 
-    def course(
+    def recorded_run(
         self, scene: Scene, level: Level, asked: float, failure: str, advised: float | None
-    ) -> Course:
+    ) -> RecordedRun:
         """Return the complete record."""
         seen = Snapshot.stack(self.states)
-        return Course(
+        return RecordedRun(
             scene, level, self.world.stepping.rate, seen, self.pairs,
             seen.tension != 0, np.array(self.ledger_energy), np.array(self.unexplained),
             np.array(self.lost_momentum),

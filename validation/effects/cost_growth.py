@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 from sandbox.physics.measuring.step_timing import step_seconds
 from sandbox.physics.run import build
 from validation.case import naive

@@ -11,7 +11,7 @@ from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.level import Level
 from sandbox.model.level_writing import text
 from sandbox.model.loading import load, parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 from sandbox.model.shapes import Arc, Curve
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.measuring.step_timing import STEPS, Step, step_seconds

@@ -46,7 +46,7 @@ def main() -> None:
     with atheris.instrument_imports(include=["sandbox"]):
         from validation.fuzz import isolated_trial
         from validation.fuzz.input_repair import answered
-        from validation.fuzz.random_shorthand import drawn_level
+        from validation.fuzz.random_levels import drawn_level
     isolated_trial.load_libraries()
     numbers = count()
 

@@ -21,7 +21,7 @@ from validation.fuzz.coverage_guided_levels import available, guided
 from validation.fuzz.input_repair import answered
 from validation.fuzz.isolated_trial import Trial, Tried
 from validation.fuzz.mutated_levels import places
-from validation.fuzz.random_shorthand import drawn_level
+from validation.fuzz.random_levels import drawn_level
 
 TRIES = 120
 

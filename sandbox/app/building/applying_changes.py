@@ -44,22 +44,22 @@ class Applying:
     def follow(self, session: Session, seconds: float, *, watched: bool) -> None:
         """Edit the level that is shown, and apply its changes after a pause."""
         if watched:
-            self.take_up(session)
+            self.edit_shown_level(session)
         if self.pending:
             self._waits -= seconds
             if not watched or (self._waits <= 0 and not self._tools.hand.busy):
                 self.apply(session)
 
-    def take_up(self, session: Session) -> None:
+    def edit_shown_level(self, session: Session) -> None:
         """Edit the level that is shown, with its unsaved changes."""
         if session.original is self._played:
             return
         draft = self._drafts.of(session.original)
-        self._work.take(draft)
+        self._work.edit_draft(draft)
         self._played, self._tried = session.original, self._state
         self.refusal, self.culprits = NOTHING, frozenset()
         if draft.text != session.original.text:
-            self._work.tell(say("Your changes are still here, but not saved"))
+            self._work.show_message(say("Your changes are still here, but not saved"))
             self.apply(session)
 
     def apply_pending(self, session: Session) -> bool:
@@ -91,7 +91,7 @@ class Applying:
         work = self._work
         level = work.draft.level
         if level is None:
-            work.tell(say("That cannot be: {mistake}", mistake=work.mistake))
+            work.show_message(say("That cannot be: {mistake}", mistake=work.mistake))
             while level is None and work.draft.undo():
                 level = work.draft.level
             work.refresh()

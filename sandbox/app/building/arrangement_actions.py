@@ -31,7 +31,7 @@ SIDES: Mapping[str, Side] = {
 
 def arrangements(work: EditedLevel) -> list[ButtonAction]:
     """Return the actions that arrange the selected bodies."""
-    names = work.chosen
+    names = work.selected_bodies
     if not names:
         return []
     aligned = say("align these bodies so")
@@ -59,8 +59,8 @@ def _rope(work: EditedLevel, names: Sequence[str]) -> list[ButtonAction]:
     if level is None or drum_of(level, names) is None:
         return []
     tip = say("knots joined by rods, from one body over the disc to the other")
-    said = say("lay a rope over the disc")
-    lay = partial(work.make, said, lambda text, level: wrap(text, level, names))
+    caption = say("lay a rope over the disc")
+    lay = partial(work.add_parts, caption, lambda text, level: wrap(text, level, names))
     return [ButtonAction(say("Rope over the disc"), tip, lay)]
 
 
@@ -85,12 +85,12 @@ def _flat(work: EditedLevel) -> ButtonAction:
 
 def _lay_flat(text: str, level: Level, names: Sequence[str], reach: float) -> str:
     (name,) = names
-    turned = moving_and_aligning.turn(text, level, names, flat_turn(level, name, reach))
-    lying = parse(turned)
+    edited = moving_and_aligning.turn(text, level, names, flat_turn(level, name, reach))
+    lying = parse(edited)
     found = snap_body(lying, names, (0.0, 0.0), reach)
     if found.kind != "contact":
         raise SandboxError("nothing that '{name}' could lie on is near; move it closer", name=name)
-    return moving_and_aligning.move(turned, lying, names, found.point)
+    return moving_and_aligning.move(edited, lying, names, found.point)
 
 
 def _arranging(
@@ -98,5 +98,7 @@ def _arranging(
 ) -> ButtonAction:
     """Return the action that edits the selected bodies in some way."""
     return ButtonAction(
-        caption, tip, partial(work.change, caption, partial(edit, names=work.chosen, **how))
+        caption,
+        tip,
+        partial(work.change, caption, partial(edit, names=work.selected_bodies, **how)),
     )

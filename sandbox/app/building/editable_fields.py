@@ -24,7 +24,7 @@ from sandbox.model.reference_fields import Mention
 LEFT_OUT = ("$schema", "format", "bodies", "joints")
 """Fields of a level without a widget: those of the file format, and parts selected on the stage."""
 
-Sort = Literal["number", "text", "choice", "switch", "json"]
+InputKind = Literal["number", "text", "choice", "switch", "json"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class EditableField:
     """Its description, in the current language."""
     unit: str
     """Its unit."""
-    sort: Sort
+    input_kind: InputKind
     """The kind of widget; `json` is for values without a widget of their own, typed as in a file.
     """
     shown: str
@@ -68,16 +68,16 @@ Row = tuple[EditableField, ...] | Section
 """One line of the inspector: an entry, the two coordinates of a point, or a section's heading."""
 
 
-def rows(model: type[Model], said: Mapping[str, Json], path: Path) -> list[Row]:
+def rows(model: type[Model], values: Mapping[str, Json], path: Path) -> list[Row]:
     """Return the rows for the fields of a part, given as the level says it and by its path."""
     found: list[Row] = []
     for name, field in model.model_fields.items():
-        if model is Effects and said.get(name) is None:
+        if model is Effects and values.get(name) is None:
             continue  # an effect has fields only if it is switched on
         key = field.alias or name
         if key in LEFT_OUT and not path:
             continue
-        found += _rows(key, field, say(help_of(model, name)), said.get(key), (*path, key))
+        found += _rows(key, field, say(help_of(model, name)), values.get(key), (*path, key))
     return found
 
 
@@ -87,39 +87,39 @@ def read(entry: EditableField, typed: str) -> Json:
     A text that is not JSON is a string: a formula, a name or words.
     """
     text = typed.strip()
-    if not text and not (entry.sort == "text" and entry.required):
+    if not text and not (entry.input_kind == "text" and entry.required):
         return None
-    if entry.sort in ("text", "choice"):
+    if entry.input_kind in ("text", "choice"):
         return text
     try:
         value: Json = json.loads(text)
     except ValueError:
         return text
-    if entry.sort == "number" and isinstance(value, bool):
+    if entry.input_kind == "number" and isinstance(value, bool):
         return text
     return value
 
 
-def _rows(key: str, field: FieldInfo, message: str, said: Json, path: Path) -> Iterator[Row]:
-    kind = bare(field.annotation)
-    if said is None and isinstance(field.default, Model):
-        said = {}
+def _rows(key: str, field: FieldInfo, message: str, content: Json, path: Path) -> Iterator[Row]:
+    kind = bare_type(field.annotation)
+    if content is None and isinstance(field.default, Model):
+        content = {}
     if get_origin(kind) is Literal and len(get_args(kind)) == 1:
         return  # the type of a shape or a joint
-    if isinstance(said, Mapping) and (model := model_of(kind, said)):
+    if isinstance(content, Mapping) and (model := model_of(kind, content)):
         yield Section(
-            path, _label(key), message or say(first_of(model)), tuple(rows(model, said, path))
+            path, _label(key), message or say(summary_of(model)), tuple(rows(model, content, path))
         )
-    elif _members(kind) and isinstance(said, Sequence) and _are_parts(said):
-        yield Section(path, _label(key), message, tuple(_items(kind, said, path)))
+    elif _members(kind) and isinstance(content, Sequence) and _are_parts(content):
+        yield Section(path, _label(key), message, tuple(_items(kind, content, path)))
     elif (
         get_origin(kind) is Mapping
-        and isinstance(said, Mapping)
+        and isinstance(content, Mapping)
         and model_of(get_args(kind)[1], {})
     ):
-        yield Section(path, _label(key), message, tuple(_named(kind, said, path)))
+        yield Section(path, _label(key), message, tuple(_named(kind, content, path)))
     elif _is_point(kind):
-        values = said if isinstance(said, Sequence) and len(said) == 2 else (None, None)
+        values = content if isinstance(content, Sequence) and len(content) == 2 else (None, None)
         defaults = field.default if isinstance(field.default, tuple) else (None, None)
         yield tuple(
             _entry(
@@ -133,61 +133,64 @@ def _rows(key: str, field: FieldInfo, message: str, said: Json, path: Path) -> I
         default = None if field.is_required() else field.default
         mentions = (extra.of for extra in field.metadata if isinstance(extra, Mention))
         entry = _entry(
-            _label(key), kind, said, path, message, default, required=field.is_required()
+            _label(key), kind, content, path, message, default, required=field.is_required()
         )
         yield (replace(entry, names=next(mentions, "")),)
 
 
-def _are_parts(said: Sequence[Json]) -> bool:
+def _are_parts(values: Sequence[Json]) -> bool:
     """Return whether all items of a list have fields; points have none, and are typed in it."""
-    return not isinstance(said, str) and all(isinstance(item, Mapping) for item in said)
+    return not isinstance(values, str) and all(isinstance(item, Mapping) for item in values)
 
 
-def _items(kind: Any, said: Sequence[Json], path: Path) -> Iterator[Section]:  # noqa: ANN401
+def _items(kind: Any, values: Sequence[Json], path: Path) -> Iterator[Section]:  # noqa: ANN401
     member = _members(kind)
-    for index, item in enumerate(said):
+    for index, item in enumerate(values):
         model = model_of(member, item) if isinstance(item, Mapping) else None
         if model is not None and isinstance(item, Mapping):
             place = (*path, index)
             label = str(item.get("quantity") or item.get("body") or index + 1)
-            message = say(first_of(model))
+            message = say(summary_of(model))
             yield Section(place, label, message, tuple(rows(model, item, place)))
 
 
-def _named(kind: Any, said: Mapping[str, Json], path: Path) -> Iterator[Section]:  # noqa: ANN401
-    for name, item in said.items():
+def _named(kind: Any, values: Mapping[str, Json], path: Path) -> Iterator[Section]:  # noqa: ANN401
+    for name, item in values.items():
         model = model_of(get_args(kind)[1], item) if isinstance(item, Mapping) else None
         if model is not None and isinstance(item, Mapping):
             place = (*path, name)
-            message = say(first_of(model))
+            message = say(summary_of(model))
             yield Section(place, name, message, tuple(rows(model, item, place)))
 
 
 def _entry(
-    label: str, kind: Any, said: Json, path: Path, told: str, default: object, *, required: bool,  # noqa: ANN401
+    label: str, kind: Any, value: Json, path: Path,  # noqa: ANN401
+    message: str, default: object, *, required: bool,
 ) -> EditableField:  # fmt: skip
-    kind, unit = bare(kind), ""
-    sort: Sort = "json"
+    kind, unit = bare_type(kind), ""
+    input_kind: InputKind = "json"
     choices: tuple[str, ...] = ()
     if isinstance(kind, type) and issubclass(kind, Expression):
-        sort, unit = "number", kind.unit
+        input_kind, unit = "number", kind.unit
     elif kind is bool:
-        sort = "switch"
+        input_kind = "switch"
     elif kind in (int, float):
-        sort = "number"
+        input_kind = "number"
     elif kind is str:
-        sort = "text"
+        input_kind = "text"
     elif get_origin(kind) is Literal and all(isinstance(c, str) for c in get_args(kind)):
-        sort, choices = "choice", get_args(kind)
-    shown = _shown(said)
-    return EditableField(path, label, told, unit, sort, shown, _default(default), choices, required)
+        input_kind, choices = "choice", get_args(kind)
+    shown = _shown(value)
+    return EditableField(
+        path, label, message, unit, input_kind, shown, _default(default), choices, required
+    )
 
 
-def _shown(said: Json) -> str:
+def _shown(value: Json) -> str:
     """Return a value as a person would type it into a field."""
-    if said is None:
+    if value is None:
         return ""
-    return said if isinstance(said, str) else json.dumps(said, ensure_ascii=False)
+    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
 def _default(default: object) -> str:
@@ -200,7 +203,7 @@ def _default(default: object) -> str:
     return ""
 
 
-def bare(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
+def bare_type(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
     """Return a type without annotations, and without None."""
     while True:
         if get_origin(kind) is Annotated:
@@ -214,33 +217,33 @@ def bare(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
             return kind
 
 
-def model_of(kind: Any, said: Mapping[str, Json]) -> type[Model] | None:  # noqa: ANN401
+def model_of(kind: Any, values: Mapping[str, Json]) -> type[Model] | None:  # noqa: ANN401
     """Return the model of a part; in a union, that which the part's `type` or `event` names."""
-    kind = bare(kind)
+    kind = bare_type(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
         return kind
     if get_origin(kind) in (Union, UnionType):
-        parts = (each for each in map(bare, get_args(kind)) if isinstance(each, type))
+        parts = (each for each in map(bare_type, get_args(kind)) if isinstance(each, type))
         return next(
-            (each for each in parts if issubclass(each, Model) and _is_named(each, said)), None
+            (each for each in parts if issubclass(each, Model) and _is_named(each, values)), None
         )
     return None
 
 
-def _is_named(model: type[Model], said: Mapping[str, Json]) -> bool:
+def _is_named(model: type[Model], values: Mapping[str, Json]) -> bool:
     """Return whether the `type` or the `event` of a part names a model."""
     fields = model.model_fields
-    keys = (key for key in ("type", "event") if key in said and key in fields)
-    return any(said[key] in get_args(fields[key].annotation) for key in keys)
+    keys = (key for key in ("type", "event") if key in values and key in fields)
+    return any(values[key] in get_args(fields[key].annotation) for key in keys)
 
 
 def _members(kind: Any) -> Any:  # noqa: ANN401
     """Return the type of a list's items if they are models, else None."""
     arguments = get_args(kind)
     if len(arguments) == 2 and arguments[1] is ...:
-        member = bare(arguments[0])
+        member = bare_type(arguments[0])
         parts = get_args(member) if get_origin(member) in (Union, UnionType) else (member,)
-        if any(isinstance(p, type) and issubclass(p, Model) for p in map(bare, parts)):
+        if any(isinstance(p, type) and issubclass(p, Model) for p in map(bare_type, parts)):
             return member
     return None
 
@@ -271,9 +274,9 @@ def help_of(model: type[Model], name: str) -> str:
 
 def choices_of(kind: Any) -> tuple[str, ...]:  # noqa: ANN401 (a type is any object)
     """Return the English captions of the options of a type; none if it is not a choice."""
-    kind = bare(kind)
-    said = get_args(kind) if get_origin(kind) is Literal else ()
-    return tuple(caption_of(each) for each in said if isinstance(each, str))
+    kind = bare_type(kind)
+    literals = get_args(kind) if get_origin(kind) is Literal else ()
+    return tuple(caption_of(each) for each in literals if isinstance(each, str))
 
 
 def caption_of(choice: str) -> str:
@@ -281,6 +284,6 @@ def caption_of(choice: str) -> str:
     return choice.replace("-", " ")
 
 
-def first_of(model: type[Model]) -> str:
+def summary_of(model: type[Model]) -> str:
     """Return the summary line of a model's docstring, in English."""
     return " ".join((model.__doc__ or "").split("\n\n")[0].split())

@@ -63,10 +63,10 @@ class EditedLevel:
         self.selected: tuple[Part, ...] = ()
         self._copied = ""
         self._left: list[tuple[Part, ...]] = []  # the selection when each step was undone
-        self._looked: tuple[object, dict[object, Any]] = (None, {})
-        self.take(Draft.empty())
+        self._cache: tuple[object, dict[object, Any]] = (None, {})
+        self.edit_draft(Draft.empty())
 
-    def take(self, draft: Draft) -> None:
+    def edit_draft(self, draft: Draft) -> None:
         """Edit another level."""
         self.draft, self.selected = draft, ()
         self._left.clear()
@@ -80,21 +80,21 @@ class EditedLevel:
         self.version = object()
         self.select(self.selected)
 
-    def once(self, look: Callable[[Level], Found]) -> Found:
+    def cached(self, compute: Callable[[Level], Found]) -> Found:
         """Return the result of a function of the level, cached until the level changes."""
-        if self._looked[0] is not self.version:
-            self._looked = self.version, {}
-        known = self._looked[1]
-        if look not in known:
-            known[look] = look(self.level)
-        found: Found = known[look]
+        if self._cache[0] is not self.version:
+            self._cache = self.version, {}
+        computed = self._cache[1]
+        if compute not in computed:
+            computed[compute] = compute(self.level)
+        found: Found = computed[compute]
         return found
 
     def show(self) -> None:
         """Let the page be drawn again."""
         self.news = object()
 
-    def tell(self, text: str) -> None:
+    def show_message(self, text: str) -> None:
         """Show a message in the banner."""
         self._message = text
 
@@ -105,36 +105,38 @@ class EditedLevel:
 
     # changes
 
-    def put(self, text: str, said: str, merge: str | None = None) -> None:
+    def replace_text(self, text: str, caption: str, merge: str | None = None) -> None:
         """Replace the text; suggested checks are adapted to it."""
         if text != self.text:
-            text = self._followed(text)
+            text = self._with_updated_checks(text)
             if self.text != self.draft.text:
-                self.tell(
+                self.show_message(
                     say("Repeated parts and groups are written out now; Ctrl Z brings them back")
                 )
-            self.draft.change(text, said, merge)
+            self.draft.change(text, caption, merge)
             self._left.clear()
         self.refresh()
 
-    def _followed(self, text: str) -> str:
+    def _with_updated_checks(self, text: str) -> str:
         level = self.draft.level
         found = text if level is None else suggested_checks.with_updated_checks(level, text)
         if found.count('"formula"') < text.count('"formula"'):
-            self.tell(say("The suggested checks were removed with the parts that they were about"))
+            self.show_message(
+                say("The suggested checks were removed with the parts that they were about")
+            )
         return found
 
     def change(
-        self, said: str, edit: Callable[[str, Level], str], merge: str | None = None
+        self, caption: str, edit: Callable[[str, Level], str], merge: str | None = None
     ) -> bool:
         """Change the level, and return whether that was possible."""
         try:
-            self.put(edit(self.text, self.level), said, merge)
+            self.replace_text(edit(self.text, self.level), caption, merge)
         except LevelError as error:
-            self.tell(say(_first(error.mistakes)))
+            self.show_message(say(_first(error.mistakes)))
             return False
         except SandboxError as error:
-            self.tell(say(error.message))
+            self.show_message(say(error.message))
             return False
         return True
 
@@ -151,8 +153,8 @@ class EditedLevel:
         """The first mistake of the text."""
         return _first(self.draft.mistakes)
 
-    def make(
-        self, said: str, edit: Callable[[str, Level], EditResult], family: str = "bodies"
+    def add_parts(
+        self, caption: str, edit: Callable[[str, Level], EditResult], family: str = "bodies"
     ) -> bool:
         """Add parts to the level and select them, and return whether that was possible."""
         names: list[str] = []
@@ -162,7 +164,7 @@ class EditedLevel:
             names.extend(found.names)
             return found.text
 
-        done = self.change(said, made)
+        done = self.change(caption, made)
         if done:
             self.select([(family, name) for name in names])
         return done
@@ -182,19 +184,19 @@ class EditedLevel:
             self.select(self._left.pop())
 
     def _stepped(self, done: str, otherwise: str, step: str | None) -> None:
-        self.tell(say(done, step=step) if step else say(otherwise))
+        self.show_message(say(done, step=step) if step else say(otherwise))
         self.refresh()
 
     def delete(self) -> None:
         """Delete the selection."""
         names = [name for _, name in self.selected]
         if names:
-            said = say("delete {names}", names=", ".join(names))
-            self.change(said, lambda text, level: bodies.remove_parts(text, level, names))
+            caption = say("delete {names}", names=", ".join(names))
+            self.change(caption, lambda text, level: bodies.remove_parts(text, level, names))
 
     def nudge(self, across: int, upwards: int, share: float) -> None:
         """Move the selected bodies by a share of a step of the grid."""
-        step, names = self.snapping.grid * share, self.chosen
+        step, names = self.snapping.grid * share, self.selected_bodies
         by = across * step, upwards * step
         if names:
             self.change(
@@ -204,33 +206,37 @@ class EditedLevel:
     def copy(self) -> None:
         """Copy the selected bodies, with the joints among them."""
         try:
-            self._copied = copying.copy(self.text, self.level, self.chosen)
+            self._copied = copying.copy(self.text, self.level, self.selected_bodies)
         except SandboxError as error:
-            self.tell(say(error.message))
+            self.show_message(say(error.message))
 
     def paste(self) -> None:
         """Paste the copied bodies beside the originals, and select them."""
-        copied, by = self._copied, self._aside
-        self.make(say("paste"), lambda text, level: copying.paste(text, level, copied, by))
+        copied, by = self._copied, self._copy_displacement
+        self.add_parts(say("paste"), lambda text, level: copying.paste(text, level, copied, by))
 
     def duplicate(self) -> None:
         """Duplicate the selected bodies beside the originals, and select the copies."""
-        names, by = self.chosen, self._aside
-        self.make(say("duplicate"), lambda text, level: copying.duplicate(text, level, names, by))
+        names, by = self.selected_bodies, self._copy_displacement
+        self.add_parts(
+            say("duplicate"), lambda text, level: copying.duplicate(text, level, names, by)
+        )
 
     def group(self) -> None:
         """Make the selected bodies a group, which is selected as a whole."""
-        names = self.chosen
+        names = self.selected_bodies
         if self.change(say("group"), lambda text, level: grouping.group(text, level, names)):
-            self.tell(say("A click now selects the group; a second click selects the body alone"))
+            self.show_message(
+                say("A click now selects the group; a second click selects the body alone")
+            )
 
     def ungroup(self) -> None:
         """Ungroup the selected bodies, so that each is selected alone again."""
-        names = self.chosen
+        names = self.selected_bodies
         self.change(say("ungroup"), lambda text, level: grouping.ungroup(text, level, names))
 
     @property
-    def _aside(self) -> XY:
+    def _copy_displacement(self) -> XY:
         """The displacement of copies [m]."""
         return ASIDE / self.camera.scale, ASIDE / self.camera.scale
 
@@ -238,11 +244,11 @@ class EditedLevel:
 
     def select(self, parts: Sequence[Part]) -> None:
         """Replace the selection by those parts that exist."""
-        there: Mapping[str, Collection[str]] = {
+        existing: Mapping[str, Collection[str]] = {
             "bodies": self.sketch.bodies,
             "joints": self.sketch.joints,
         }
-        self.selected = tuple((f, n) for f, n in parts if n in there[f])
+        self.selected = tuple((f, n) for f, n in parts if n in existing[f])
         self.show()
 
     def select_all(self) -> None:
@@ -251,7 +257,7 @@ class EditedLevel:
         self.select([*found, *(("joints", name) for name in self.sketch.joints)])
 
     @property
-    def chosen(self) -> list[str]:
+    def selected_bodies(self) -> list[str]:
         """The selected bodies."""
         return [name for family, name in self.selected if family == "bodies"]
 

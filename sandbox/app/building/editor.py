@@ -96,7 +96,7 @@ class Editor:
     def begin(self, session: Session, draft: Draft) -> None:
         """Edit another draft, and let the session run it."""
         self.drafts.add(draft)
-        self.work.take(draft)
+        self.work.edit_draft(draft)
         self.tools.choose(FIRST)
         self.applying.apply(session)
 
@@ -106,7 +106,7 @@ class Editor:
 
     def save(self, session: Session) -> None:
         """Save the level that is shown, whichever page is open, or ask for a name."""
-        self.applying.take_up(session)
+        self.applying.edit_shown_level(session)
         self.saving.save()
 
     def time_effects(self) -> None:
@@ -117,13 +117,13 @@ class Editor:
     def keep_run(self, session: Session) -> None:
         """Edit the present state of the run as a new level."""
         try:
-            draft = self.trial.live.kept()
+            draft = self.trial.live.as_level()
         except SandboxError as error:
-            self.bench.tell(say(error.message))
+            self.bench.show_message(say(error.message))
             return
         self.begin(session, draft)
         self.trying.follow(session)
-        self.work.tell(say(KEPT))
+        self.work.show_message(say(KEPT))
 
     # keys, mouse and stage
 
@@ -148,9 +148,9 @@ class Editor:
         self.trying.follow(session)
         return self._on_stage.process(event, area, stage)
 
-    def go_on(self) -> None:
+    def resume_time(self) -> None:
         """Let time run again unless something is being drawn into the run."""
-        self._on_stage.go_on()
+        self._on_stage.resume_time()
 
     def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen, session: Session) -> bool:
         """Draw the level under edit, and return whether it is shown rather than the run."""

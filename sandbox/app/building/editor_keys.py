@@ -62,7 +62,7 @@ class Keyed(Protocol):
     def bench(self) -> EditedLevel:
         """The level or its run, whichever the tools change."""
 
-    def go_on(self) -> None:
+    def resume_time(self) -> None:
         """Let time run again unless something is being drawn into the run."""
 
 
@@ -73,7 +73,7 @@ def press(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
     kind = next((k for k in TOOLS if event.unicode and k.key == event.unicode), None)
     if kind is not None:
         editor.tools.choose(kind.name)
-        editor.go_on()
+        editor.resume_time()
         return True
     if editor.trying.is_shown(session):
         return _while_trying(editor, event, session)
@@ -97,7 +97,7 @@ def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) ->
     if act is None:
         return False
     if event.key not in (pygame.K_z, pygame.K_y, pygame.K_s):
-        editor.trying.look(session)
+        editor.trying.read_run_state(session)
     act()
     if event.key in (pygame.K_v, pygame.K_d):
         editor.tools.choose(FIRST)  # to drag the copy
@@ -111,7 +111,7 @@ def _while_trying(editor: Keyed, event: pygame.event.Event, session: Session) ->
     elif event.key == pygame.K_BACKSPACE and editor.tools.hand.busy:
         editor.tools.hand.cancel()
     elif event.key in (pygame.K_DELETE, pygame.K_BACKSPACE):
-        editor.trying.look(session)
+        editor.trying.read_run_state(session)
         editor.bench.delete()
     elif event.key == pygame.K_ESCAPE and editor.tools.tool == FIRST:
         editor.trying.back(session)
@@ -121,7 +121,7 @@ def _while_trying(editor: Keyed, event: pygame.event.Event, session: Session) ->
         editor.tools.choose(FIRST)
     else:
         return False
-    editor.go_on()
+    editor.resume_time()
     return True
 
 

@@ -35,8 +35,8 @@ class EditorOnStage:
         tools = self._tools
         tools.bench.camera = stage.camera
         if tools.bench is self._live:
-            return self._throw_in(event, area, stage)
-        spot = self._spot = self._spot_at((event.pos[0] - area.x, event.pos[1] - area.y))
+            return self._change_run(event, area, stage)
+        spot = self._spot = self._mouse_position((event.pos[0] - area.x, event.pos[1] - area.y))
         if event.type == pygame.MOUSEMOTION:
             tools.hand.move(spot)
             return False  # not used up: the same motion may move the view
@@ -46,7 +46,7 @@ class EditorOnStage:
             tools.hand.press(spot)
         return bool(event.button == 1)
 
-    def _throw_in(self, event: pygame.event.Event, area: pygame.Rect, stage: Stage) -> bool:
+    def _change_run(self, event: pygame.event.Event, area: pygame.Rect, stage: Stage) -> bool:
         """Let a tool change the run, with time stopped until it is done.
 
         The first tool, `FIRST`, only selects.
@@ -60,34 +60,34 @@ class EditorOnStage:
             return False
         if pressed:
             self._live.stop_time()
-            self._live.look()
-        spot = self._spot = self._spot_at(pixel)
+            self._live.read_state()
+        spot = self._spot = self._mouse_position(pixel)
         if event.type == pygame.MOUSEMOTION:
             hand.move(spot)
         elif pressed:
             hand.press(spot)
         elif event.button == 1:
             hand.release(spot)
-        self.go_on()
+        self.resume_time()
         return event.type != pygame.MOUSEMOTION and bool(event.button == 1)
 
     def _select_in_run(self, pixel: XY, stage: Stage) -> None:
         live = self._live
-        live.look()
+        live.read_state()
         body = stage.body_at(pixel)
         part = ("bodies", body) if body else live.part_at(pixel)
         live.select([part] if part else ())
 
-    def go_on(self) -> None:
+    def resume_time(self) -> None:
         """Let time run again unless something is being drawn into the run."""
         if not self._tools.hand.busy:
             self._live.let_time_run()
 
-    def _spot_at(self, pixel: XY) -> MousePosition:
+    def _mouse_position(self, pixel: XY) -> MousePosition:
         """Return the position of the mouse; while Alt is held it does not snap."""
-        bench, held = self._tools.bench, pygame.key.get_mods()
+        bench, modifiers = self._tools.bench, pygame.key.get_mods()
         free = bench.camera.to_world(pixel)
-        shift, loose = bool(held & pygame.KMOD_SHIFT), bool(held & pygame.KMOD_ALT)
+        shift, loose = bool(modifiers & pygame.KMOD_SHIFT), bool(modifiers & pygame.KMOD_ALT)
         catch = partial(bench.snapping.point, in_line=self._tools.tool == "join")
         return MousePosition(pixel, free, shift, loose, catch)
 
@@ -109,9 +109,9 @@ class EditorOnStage:
         """Preview the faults, unless the mouse is off the stage and nothing is begun."""
         hand, spot = self._tools.hand, self._spot
         if hand.busy or (spot is not None and surface.get_rect().collidepoint(spot.pixel)):
-            self._foreseeing.look(bench, hand, spot)
+            self._foreseeing.update(bench, hand, spot)
         else:
-            self._foreseeing.forget()
+            self._foreseeing.clear()
 
     def _draw_foreseen(self, surface: pygame.Surface, pen: Pen, hint: str) -> None:
         """Mark the faults of what the tool would make, or give a hint if there are none."""
@@ -131,7 +131,7 @@ class EditorOnStage:
             return
         if tools.hand.busy and self._spot is not None:
             editor_painting.caught(surface, stage.camera, pen, self._spot.snapped)
-        if live.fresh:
+        if live.is_current:
             tools.hand.draw(surface, pen)
         self._foresee(surface, live)
         message = say("{hint}; time stands still until then", hint=say(tools.hand.hint))

@@ -20,7 +20,7 @@ WIDE = 2.0  # px, the width of the line around the selection
 PADDING = 8  # px, around a hint
 FRAME = 8.0  # px, between a group and the frame around it
 
-caught = shape_preview.caught
+caught = shape_preview.mark_snapped
 
 
 class CachedDrawing:
@@ -54,7 +54,7 @@ def draw_selected(
 
 def draw_groups(surface: pygame.Surface, work: EditedLevel) -> None:
     """Draw a dashed frame around each group that is selected as a whole."""
-    chosen, bodies = set(work.chosen), work.sketch.bodies
+    chosen, bodies = set(work.selected_bodies), work.sketch.bodies
     for group in work.groups:
         if chosen.issuperset(group):
             corners = work.camera.path([point for name in group for point in bodies[name].corners])
@@ -99,7 +99,7 @@ def _around_disc(
 ) -> XY | None:
     """Draw a line around a disc, and return its upper right point on the stage [px]."""
     (x, y), wide = camera.to_screen(center), max(radius * camera.scale, 2 * WIDE)
-    if wide > lines.FAR or not lines.near([(x, y)]):
+    if wide > lines.FAR or not lines.are_close([(x, y)]):
         return None
     pygame.draw.aacircle(surface, color, (x, y), wide + WIDE / 2, round(WIDE))
     return x + wide * sqrt(0.5), y - wide * sqrt(0.5)

@@ -38,7 +38,7 @@ class EffectCosts(BackgroundTask):
         return version is self._version
 
 
-def said(costs: Mapping[str, float]) -> str:
+def costs_in_words(costs: Mapping[str, float]) -> str:
     """Return costs as text, such as `friction +3.1 µs`."""
     return ", ".join(f"{say(effect)} {_signed(cost * 1e6)} µs" for effect, cost in costs.items())
 

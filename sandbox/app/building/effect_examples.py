@@ -5,7 +5,7 @@ from typing import Any, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from sandbox.app.building.editable_fields import bare
+from sandbox.app.building.editable_fields import bare_type
 from sandbox.editing.json_layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
@@ -18,8 +18,8 @@ LITTLE = 0.1
 
 def example(effect: str, moving: Sequence[str], others: Sequence[str]) -> dict[str, Json]:
     """Return example settings of an effect, given the names of moving and other bodies."""
-    kind = bare(Effects.model_fields[effect].annotation)
-    model = bare(get_args(kind)[0]) if get_origin(kind) is tuple else kind
+    kind = bare_type(Effects.model_fields[effect].annotation)
+    model = bare_type(get_args(kind)[0]) if get_origin(kind) is tuple else kind
     return _of(model, moving, others)
 
 
@@ -29,7 +29,7 @@ def _of(model: type[Model], moving: Sequence[str], others: Sequence[str]) -> dic
 
 
 def _value(field: FieldInfo, moving: Sequence[str], others: Sequence[str]) -> Json:
-    kind = bare(field.annotation)
+    kind = bare_type(field.annotation)
     mention = next((each for each in field.metadata if isinstance(each, Mention)), None)
     if mention is not None:
         bodies = moving if mention.acted_on else [*others, *moving]
@@ -43,7 +43,7 @@ def _several(kinds: tuple[Any, ...], moving: Sequence[str], others: Sequence[str
     """Return a point on the first axis, or a list of one part."""
     if _is(kinds[0], Expression):
         return [1, 0]
-    part = bare(kinds[0])
+    part = bare_type(kinds[0])
     return [_of(part, moving, others)] if _is(part, Model) else []
 
 

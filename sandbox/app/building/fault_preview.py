@@ -33,9 +33,9 @@ class FaultPreview:
         self._pause_ends = 0.0
         self.found: ForeseenFaults | None = None
 
-    def look(self, work: EditedLevel, hand: Tool, spot: object) -> None:
+    def update(self, work: EditedLevel, hand: Tool, mouse: object) -> None:
         """Find the faults of what the tool would make with the mouse at a place."""
-        seen = work.version, hand, spot
+        seen = work.version, hand, mouse
         if seen == self._seen or perf_counter() < self._pause_ends:
             return
         begun, proposed = perf_counter(), hand.proposed
@@ -44,7 +44,7 @@ class FaultPreview:
             self.found = foresight.of(proposed)
             self._pause_ends = begun + (1 + PATIENCE) * (perf_counter() - begun)
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         """Forget what was found, as nothing would be made now."""
         self._seen, self.found = None, None
 

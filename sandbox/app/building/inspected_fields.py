@@ -15,7 +15,7 @@ from sandbox.editing import suggested_checks
 from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits import effects
 from sandbox.editing.edits.automatic_title import entitled
-from sandbox.editing.edits.checks import quantity_completions
+from sandbox.editing.edits.checks_and_ghosts import quantity_completions
 from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
 from sandbox.editing.edits.slope_angle_parameter import slope_of, tilt
 from sandbox.editing.renaming import rename
@@ -47,8 +47,8 @@ def subject(work: EditedLevel) -> str:
         case ():
             return say("The level")
         case ((family, name),):
-            said = work.document[family][name]
-            kind = said["type"] if family == "joints" else said["shape"]["type"]
+            part = work.document[family][name]
+            kind = part["type"] if family == "joints" else part["shape"]["type"]
             return f"{name}: {say(kind)}"
         case several:
             return plural("{count} part", "{count} parts", len(several))
@@ -60,21 +60,21 @@ def rows(work: EditedLevel) -> Sequence[Row]:
         case () if not work.fixed:
             return editable_fields.rows(Level, work.document, ())
         case ((family, name),):
-            said = work.document[family][name]
-            model = Body if family == "bodies" else editable_fields.model_of(Joint, said)
-            found = editable_fields.rows(model, said, (family, name)) if model else ()
+            part = work.document[family][name]
+            model = Body if family == "bodies" else editable_fields.model_of(Joint, part)
+            found = editable_fields.rows(model, part, (family, name)) if model else ()
             called = EditableField(
                 (family, name), say("name"), say(NAMED), "", "text", name, required=True
             )
             return [(called,), *(row for row in found if _field(row) not in work.fixed)]
-    several = len(work.chosen) == len(work.selected) > 1
+    several = len(work.selected_bodies) == len(work.selected) > 1
     return list(_alike(work)) if several and not work.fixed else ()
 
 
 def _alike(work: EditedLevel) -> Iterator[Row]:
     """Yield the rows for fields that bodies can share; where they differ, a field is empty."""
-    first, *others = (work.document["bodies"][name] for name in work.chosen)
-    for row in editable_fields.rows(Body, first, ("bodies", work.chosen[0])):
+    first, *others = (work.document["bodies"][name] for name in work.selected_bodies)
+    for row in editable_fields.rows(Body, first, ("bodies", work.selected_bodies[0])):
         if (
             isinstance(row, editable_fields.Section)
             or len(row) > 1
@@ -83,7 +83,7 @@ def _alike(work: EditedLevel) -> Iterator[Row]:
             continue
         if all(other.get(key) == first.get(key) for other in others):
             yield row
-        elif row[0].sort not in ("choice", "switch"):
+        elif row[0].input_kind not in ("choice", "switch"):
             yield (replace(row[0], shown=""),)
 
 
@@ -91,7 +91,7 @@ def _places(work: EditedLevel, path: Path) -> list[Path]:
     """Return the paths of a field: one in each body, if several are selected."""
     if len(work.selected) < 2:
         return [path]
-    return [("bodies", name, *path[2:]) for name in work.chosen]
+    return [("bodies", name, *path[2:]) for name in work.selected_bodies]
 
 
 def _field(row: Row) -> str | int:
@@ -110,7 +110,7 @@ def assign(
         text = work.text
         for path in _places(work, entry.path):
             text = _assigned(text, row, replace(entry, path=path), typed)
-        work.put(text, say("set {field}", field=entry.label))
+        work.replace_text(text, say("set {field}", field=entry.label))
     except LevelError as error:
         return say(error.mistakes[0].rule)
     except SandboxError as error:
@@ -121,7 +121,7 @@ def assign(
 def _rename(work: EditedLevel, entry: EditableField, name: str) -> None:
     """Rename a body or a joint wherever it is mentioned; it stays selected."""
     family = str(entry.path[0])
-    work.put(
+    work.replace_text(
         rename(work.text, entry.path, name),
         say("call {before} {name}", before=entry.shown, name=name),
     )
@@ -153,7 +153,7 @@ def numbers(work: EditedLevel) -> frozenset[Path]:
     """Return the paths of the numbers that can be made parameters, as they use no names yet."""
     if work.fixed or work.draft.level is None:
         return frozenset()
-    return work.once(_numbers)
+    return work.cached(_numbers)
 
 
 def _numbers(level: Level) -> frozenset[Path]:
@@ -179,7 +179,7 @@ def parametrise(work: EditedLevel, entry: EditableField) -> None:
     if work.change(say("make {field} a parameter", field=entry.label), edit):
         name = list(work.document["parameters"])[-1]
         message = later("'{name}' is a parameter now; its slider is on the level's page (O)")
-        work.tell(say(message, name=name))
+        work.show_message(say(message, name=name))
 
 
 def declared(work: EditedLevel) -> tuple[str, ...]:
@@ -190,12 +190,12 @@ def declared(work: EditedLevel) -> tuple[str, ...]:
 def switch(work: EditedLevel, effect: str) -> None:
     """Switch an effect on, with default settings, or off."""
     if effect in declared(work):
-        said = say("switch {effect} off", effect=say(effect))
-        work.change(said, lambda text, level: effects.drop(text, level, effect))
+        caption = say("switch {effect} off", effect=say(effect))
+        work.change(caption, lambda text, level: effects.drop(text, level, effect))
     else:
-        said = say("switch {effect} on", effect=say(effect))
+        caption = say("switch {effect} on", effect=say(effect))
         example = None if effect in DEFAULTS else _example(work, effect)
-        work.change(said, lambda text, level: effects.declare(text, level, effect, example))
+        work.change(caption, lambda text, level: effects.declare(text, level, effect, example))
 
 
 def _example(work: EditedLevel, effect: str) -> Mapping[str, Any]:
@@ -211,7 +211,7 @@ def suggestions(work: EditedLevel) -> list[ButtonAction]:
         return []
     return [
         ButtonAction(say(one.setup), say("add its checks"), partial(_take, work, one))
-        for one in work.once(suggested_checks.suggestions)
+        for one in work.cached(suggested_checks.suggestions)
     ]
 
 
@@ -223,4 +223,6 @@ def _take(work: EditedLevel, one: Suggestion) -> None:
         return entitled(suggested_checks.with_suggestion(text, level, one), title)
 
     if work.change(say(one.setup), edit):
-        work.tell(say("Its checks are on the level's page (O); they are tested while it runs"))
+        work.show_message(
+            say("Its checks are on the level's page (O); they are tested while it runs")
+        )

@@ -43,13 +43,13 @@ class EditableRun(EditedLevel):
         return self.session.world, self.session.world.steps
 
     @property
-    def fresh(self) -> bool:
+    def is_current(self) -> bool:
         """Whether it is the present state of the run."""
         return self._seen == self._now
 
-    def look(self) -> None:
+    def read_state(self) -> None:
         """Read the present state of the run."""
-        if self.fresh:
+        if self.is_current:
             return
         self._seen, chosen = self._now, self.selected
         try:
@@ -59,7 +59,7 @@ class EditableRun(EditedLevel):
                 "Nothing can be changed while it runs: {error}", error=error.message
             )
             return
-        self.take(Draft.of(text))
+        self.edit_draft(Draft.of(text))
         self.select(chosen)
 
     def stop_time(self) -> None:
@@ -71,7 +71,7 @@ class EditableRun(EditedLevel):
         if self.stands:
             self.stands, self.session.playing = False, self.session.failure is None
 
-    def put(self, text: str, said: str, merge: str | None = None) -> None:
+    def replace_text(self, text: str, caption: str, merge: str | None = None) -> None:
         """Let the run continue with a changed text.
 
         Raises `SandboxError` if it cannot; nothing is changed then.
@@ -81,16 +81,16 @@ class EditableRun(EditedLevel):
         if text == self.text:
             return
         self.session.alter(text)
-        super().put(text, said, merge)
+        super().replace_text(text, caption, merge)
         self._seen = self._now
-        change = f"{said[:1].upper()}{said[1:]}"
-        self.tell(say("{change}, at {t:.2f} s", change=change, t=self.session.t))
+        change = f"{caption[:1].upper()}{caption[1:]}"
+        self.show_message(say("{change}, at {t:.2f} s", change=change, t=self.session.t))
 
     def part_at(self, pixel: XY) -> Part | None:
         """Return the body or joint at a pixel; None before the first frame."""
-        return super().part_at(pixel) if self.fresh else None
+        return super().part_at(pixel) if self.is_current else None
 
-    def kept(self) -> Draft:
+    def as_level(self) -> Draft:
         """Return the present state as a level of its own.
 
         Raises `SandboxError` if no level can start from this state.

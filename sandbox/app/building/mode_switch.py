@@ -27,7 +27,7 @@ class ModeSwitch:
         self._tools.cancel()
         if not self._applying.apply_pending(session):
             reason = self._applying.refusal
-            self._work.tell(say("It cannot run yet: {reason}", reason=reason))
+            self._work.show_message(say("It cannot run yet: {reason}", reason=reason))
             return False
         return True
 
@@ -39,20 +39,20 @@ class ModeSwitch:
             session.toggle()
 
     def back(self, session: Session) -> None:
-        """Go back to the start, and to building; `come_back` returns to the run."""
+        """Go back to the start, and to building; `return_to_run` returns to the run."""
         if self.is_shown(session):
-            self._trial.leave(session)
+            self._trial.store(session)
             session.restart()
             session.pause()
             session.forget_earlier()
         self.follow(session)
 
-    def come_back(self, session: Session) -> None:
+    def return_to_run(self, session: Session) -> None:
         """Continue the run of this level that was left."""
-        self._applying.take_up(session)
+        self._applying.edit_shown_level(session)
         text = self._work.draft.text
-        if self._applying.apply_pending(session) and self._trial.left(text):
-            self._trial.come_back(session, text)
+        if self._applying.apply_pending(session) and self._trial.run_of(text):
+            self._trial.return_to_run(session, text)
         self.follow(session)
 
     def follow(self, session: Session) -> None:
@@ -66,15 +66,15 @@ class ModeSwitch:
         self._tools.turn_to(bench)
         live.stands = False
         if bench is live:
-            live.look()
+            live.read_state()
             live.select(selected)
         bench.show()
 
-    def look(self, session: Session) -> None:
+    def read_run_state(self, session: Session) -> None:
         """Read the state of the run before it is changed."""
         self.follow(session)
         if self._tools.bench is self._trial.live:
-            self._trial.live.look()
+            self._trial.live.read_state()
 
     # undo and redo
 
@@ -82,12 +82,12 @@ class ModeSwitch:
         """Undo the last change of the run; else the run itself, or a change of the level."""
         if not self.is_shown(session):
             self._work.undo()
-        elif self._trial.changed(session):
-            self._trial.take_back(session)
-            self._tools.bench.tell(say("Undone: what was changed in the run"))
+        elif self._trial.has_changes(session):
+            self._trial.undo_change(session)
+            self._tools.bench.show_message(say("Undone: what was changed in the run"))
         else:
             self.back(session)
-            self._work.tell(say("Undone: the run; Ctrl Y comes back to it"))
+            self._work.show_message(say("Undone: the run; Ctrl Y comes back to it"))
 
     def redo(self, session: Session) -> None:
         """Redo the last undone change of the run, the run itself, or a change of the level.
@@ -100,38 +100,39 @@ class ModeSwitch:
         elif self.is_shown(session):
             self._change_again(session)
         elif self._trial.is_undone(self._work.draft.text):
-            self.come_back(session)
+            self.return_to_run(session)
         else:
             self._work.redo()
 
     def _level_is_next(self, session: Session) -> bool:
         """Return whether what was undone last before a run is a change of the level."""
         return (
-            not self._trial.is_taken_back(session) and self._work.draft.redo_description is not None
+            not self._trial.is_change_undone(session)
+            and self._work.draft.redo_description is not None
         )
 
     def _change_again(self, session: Session) -> None:
         """Redo a change of the run that was undone."""
         bench = self._tools.bench
         try:
-            done = self._trial.do_again(session)
+            done = self._trial.redo_change(session)
         except SandboxError as error:
-            bench.tell(say(error.message))
+            bench.show_message(say(error.message))
         else:
-            bench.tell(say("Done again") if done else say("Nothing to redo"))
+            bench.show_message(say("Done again") if done else say("Nothing to redo"))
 
-    def undoes(self, session: Session) -> str | None:
+    def undo_description(self, session: Session) -> str | None:
         """Return the description of what would be undone next; None if nothing."""
         if not self.is_shown(session):
             return self._work.draft.undo_description
-        if self._trial.changed(session):
+        if self._trial.has_changes(session):
             return say("the last change of the run")
         return say("the run")
 
-    def redoes(self, session: Session) -> str | None:
+    def redo_description(self, session: Session) -> str | None:
         """Return the description of what would be redone next; None if nothing."""
         if self.is_shown(session):
-            if self._trial.is_taken_back(session):
+            if self._trial.is_change_undone(session):
                 return say("change the run")
         elif self._trial.is_undone(self._work.draft.text):
             return say("the run")

@@ -16,7 +16,7 @@ class SnappedPoint(NamedTuple):
 
     point: XY
     """m, its position"""
-    by: str
+    snapped_to: str
     """such as `grid`, or the bodies that are touched; empty if it did not snap"""
 
 
@@ -26,19 +26,21 @@ class MousePosition:
 
     pixel: XY
     """Its position on the stage [px]."""
-    free: XY
+    unsnapped: XY
     """Its position in the plane, before snapping [m]."""
     shift: bool
     """Whether Shift is held."""
-    loose: bool
+    is_snapping_off: bool
     """Whether Alt is held, which turns off snapping."""
-    catch: Callable[[XY], SnappedPoint]
+    snap: Callable[[XY], SnappedPoint]
     """The function that snaps a point."""
 
     @cached_property
     def snapped(self) -> SnappedPoint:
         """The position after snapping to the grid or a part of the scene."""
-        return SnappedPoint(self.free, "") if self.loose else self.catch(self.free)
+        return (
+            SnappedPoint(self.unsnapped, "") if self.is_snapping_off else self.snap(self.unsnapped)
+        )
 
     @property
     def point(self) -> XY:

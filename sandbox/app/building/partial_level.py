@@ -56,8 +56,8 @@ class PartCache(Generic[Part]):
     def __call__(self, text: str) -> Part | None:
         """Return the part; None if it cannot be read."""
         if text not in self._now:
-            known = text in self._before
-            self._now[text] = self._before[text] if known else self._made(text)
+            is_known = text in self._before
+            self._now[text] = self._before[text] if is_known else self._made(text)
         return self._now[text]
 
     def _made(self, text: str) -> Part | None:
@@ -114,7 +114,10 @@ class Parts:
 def parts_of(level: Level) -> Parts:
     """Return the parts of a level at its start."""
     values = level.defaults
-    bodies, joints = _drawn(level.bodies, values), _tied(level.joints, level.bodies, values)
+    bodies, joints = (
+        _drawable_bodies(level.bodies, values),
+        _drawable_joints(level.joints, level.bodies, values),
+    )
     return Parts(dict(bodies), dict(joints))
 
 
@@ -134,9 +137,12 @@ class PartialLevel(Parts):
         }
         parts = _mapping(document, "joints").items()
         tied = {name: j for name, part in parts if (j := _joint(json.dumps(part))) is not None}
-        drawn, paths = _drawn(specs, self.values), _tied(tied, specs, self.values)
+        drawn, paths = (
+            _drawable_bodies(specs, self.values),
+            _drawable_joints(tied, specs, self.values),
+        )
         super().__init__(dict(drawn), dict(paths))
-        self._open = _open(_mapping(document, "events"))
+        self._open = _initially_open(_mapping(document, "events"))
         self.view = _view(json.dumps(document.get("view", {})))
         """The part of the plane that the level asks to show."""
 
@@ -215,10 +221,12 @@ def _numbers(parameters: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
             yield name, float(value)
 
 
-def _with_constants(parameters: Mapping[str, float], said: Mapping[str, Any]) -> dict[str, float]:
+def _with_constants(
+    parameters: Mapping[str, float], document: Mapping[str, Any]
+) -> dict[str, float]:
     """Return the values of the parameters, and of those constants that can be evaluated."""
     values, constants = dict(parameters), dict[str, Expression]()
-    for name, formula in said.items():
+    for name, formula in document.items():
         with suppress(SandboxError, TypeError):
             constants[name] = Expression(formula)
     let_use(constants.values(), constants)
@@ -235,7 +243,9 @@ def _view(text: str) -> View:
         return View()
 
 
-def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, DrawableBody]]:
+def _drawable_bodies(
+    specs: Mapping[str, Body], values: Values
+) -> Iterator[tuple[str, DrawableBody]]:
     moving = 0
     for row, (name, spec) in enumerate(specs.items()):
         try:
@@ -249,7 +259,7 @@ def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, Dra
         moving += spec.type != "static"
 
 
-def _tied(
+def _drawable_joints(
     tied: Mapping[str, Joint], specs: Mapping[str, Body], values: Values
 ) -> Iterator[tuple[str, DrawableJoint]]:
     for name, joint in tied.items():
@@ -259,7 +269,7 @@ def _tied(
             continue
 
 
-def _open(events: Mapping[str, Any]) -> frozenset[str]:
+def _initially_open(events: Mapping[str, Any]) -> frozenset[str]:
     """Return the joints that an event ties, as far as events can be read."""
     lists = [event.get("tie") for event in events.values() if isinstance(event, Mapping)]
     named = (name for names in lists if isinstance(names, list) for name in names)

@@ -33,10 +33,10 @@ class Saving:
         try:
             self._drafts.save(draft, path, overwrite=overwrite)
         except SandboxError as error:
-            work.tell(say(error.message))
+            work.show_message(say(error.message))
             return
         self.naming = False
-        work.tell(say("Saved {path}", path=draft.path))
+        work.show_message(say("Saved {path}", path=draft.path))
 
     def save_as(self) -> None:
         """Ask for the name under which to save."""
@@ -53,11 +53,11 @@ class Saving:
         try:
             self._work.draft.reload()
         except SandboxError as error:
-            self._work.tell(say(error.message))
+            self._work.show_message(say(error.message))
             return
         self._drafts.outside = False
         self._work.refresh()
-        self._work.tell(say("Read again; Ctrl+Z brings your version back"))
+        self._work.show_message(say("Read again; Ctrl+Z brings your version back"))
 
     @property
     def proposed(self) -> Path:

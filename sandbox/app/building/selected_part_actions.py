@@ -9,7 +9,7 @@ from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.inspected_fields import parametrise
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import events
-from sandbox.editing.edits.checks import flight, set_ghost
+from sandbox.editing.edits.checks_and_ghosts import flight, set_ghost
 from sandbox.editing.edits.pendulum_angle import peg_of, swing
 from sandbox.editing.edits.resizing import ROUND, rounded
 from sandbox.editing.edits.slope_angle_parameter import slope_of
@@ -43,8 +43,8 @@ def _of_body(work: EditedLevel, level: Level, name: str) -> Iterator[ButtonActio
     body = level.bodies[name]
     if body.one_way is not None:
         tip = say("an event reverses its direction, at a time or when a quantity crosses a value")
-        said = say("reverse {name} in the run", name=name)
-        reverse = partial(_happen, work, said, events.reverse, name)
+        undo_caption = say("reverse {name} in the run", name=name)
+        reverse = partial(_happen, work, undo_caption, events.reverse, name)
         yield ButtonAction(say("Reverse it in the run"), tip, reverse)
     if (slope := slope_of(level, name)) and not level.bodies[slope].angle.names:
         tip = say("its angle becomes a parameter; what lies on it turns with it")
@@ -67,11 +67,13 @@ def _of_body(work: EditedLevel, level: Level, name: str) -> Iterator[ButtonActio
 
 
 def _happen(
-    work: EditedLevel, said: str, edit: Callable[[str, Level, str], str], name: str
+    work: EditedLevel, caption: str, edit: Callable[[str, Level, str], str], name: str
 ) -> None:
     """Add an event that acts on a part."""
-    if work.change(said, lambda text, level: edit(text, level, name)):
-        work.tell(say("Set when that happens in the level's own fields, under events (Esc)"))
+    if work.change(caption, lambda text, level: edit(text, level, name)):
+        work.show_message(
+            say("Set when that happens in the level's own fields, under events (Esc)")
+        )
 
 
 def _tilt(work: EditedLevel, name: str) -> None:
@@ -81,14 +83,16 @@ def _tilt(work: EditedLevel, name: str) -> None:
 
 
 def _swing(work: EditedLevel, name: str) -> None:
-    said = say("draw {name} aside", name=name)
-    if work.change(said, lambda text, level: swing(text, level, name)):
-        work.tell(say("Its angle is a parameter now; its slider is on the level's page (O)"))
+    caption = say("draw {name} aside", name=name)
+    if work.change(caption, lambda text, level: swing(text, level, name)):
+        work.show_message(
+            say("Its angle is a parameter now; its slider is on the level's page (O)")
+        )
 
 
 def _round(work: EditedLevel, name: str, kind: str) -> None:
-    said = say("make {name} another shape", name=name)
-    work.make(said, lambda text, level: rounded(text, level, name, kind))
+    caption = say("make {name} another shape", name=name)
+    work.add_parts(caption, lambda text, level: rounded(text, level, name, kind))
 
 
 def _haunt(work: EditedLevel, name: str) -> None:
@@ -96,4 +100,4 @@ def _haunt(work: EditedLevel, name: str) -> None:
         return set_ghost(text, name, flight(level, name))
 
     if work.change(say("add a ghost of {name}", name=name), edit):
-        work.tell(say("Its formulas are in the level's own fields, under ghosts (Esc)"))
+        work.show_message(say("Its formulas are in the level's own fields, under ghosts (Esc)"))

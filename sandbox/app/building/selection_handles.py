@@ -30,13 +30,13 @@ class Handle:
     place: XY
 
 
-def in_plane(body: DrawableBody, local: XY) -> XY:
+def to_plane(body: DrawableBody, local: XY) -> XY:
     """Return the position in the plane of a point in the axes of a body [m]."""
     placed = complex(*body.position) + complex(*local) * rect(1, body.angle)
     return placed.real, placed.imag
 
 
-def in_body(body: DrawableBody, point: XY) -> XY:
+def to_body_axes(body: DrawableBody, point: XY) -> XY:
     """Return the position in the axes of a body of a point of the plane [m]."""
     local = (complex(*point) - complex(*body.position)) * rect(1, -body.angle)
     return local.real, local.imag
@@ -61,7 +61,7 @@ def of(bodies: Sequence[DrawableBody], camera: Camera) -> list[Handle]:
     handles = [Handle(TURN, _stalk(bodies, camera)[1])]
     if len(bodies) == 1:
         (body,) = bodies
-        places = (camera.to_screen(in_plane(body, local)) for local in _of_shape(body))
+        places = (camera.to_screen(to_plane(body, local)) for local in _of_shape(body))
         handles += map(Handle, range(len(_of_shape(body))), places)
     return handles
 
@@ -95,9 +95,9 @@ def _stalk(bodies: Sequence[DrawableBody], camera: Camera) -> tuple[XY, XY]:
         return (x, y), (x, y - STALK)
     (body,) = bodies
     left, _, right, top = size_of(body)
-    x, y = camera.to_screen(in_plane(body, ((left + right) / 2, top)))
-    way = rect(STALK, body.angle)
-    return (x, y), (x - way.imag, y - way.real)
+    x, y = camera.to_screen(to_plane(body, ((left + right) / 2, top)))
+    direction = rect(STALK, body.angle)
+    return (x, y), (x - direction.imag, y - direction.real)
 
 
 def at(handles: list[Handle], pixel: XY) -> Handle | None:
@@ -123,7 +123,7 @@ def draw(surface: pygame.Surface, bodies: Sequence[DrawableBody], camera: Camera
 
 def dragged(body: DrawableBody, index: int, to: XY) -> list[XY]:
     """Return a body's outline after a handle was moved, in the axes of the body [m]."""
-    points, (x, y) = list(body.outline.points), in_body(body, to)
+    points, (x, y) = list(body.outline.points), to_body_axes(body, to)
     if isinstance(body.spec.shape, Box):
         _, _, right, top = size_of(body)
         side = _SIDES[index]
@@ -131,8 +131,8 @@ def dragged(body: DrawableBody, index: int, to: XY) -> list[XY]:
         upwards = _stretched(top, side[1], y)
         return [(across[px > 0], upwards[py > 0]) for px, py in points]
     if body.outline.radius is not None or isinstance(body.spec.shape, Arc):
-        held = _of_shape(body)[index]
-        factor = hypot(x, y) / (hypot(*held) or 1.0)
+        handle = _of_shape(body)[index]
+        factor = hypot(x, y) / (hypot(*handle) or 1.0)
         return [(px * factor, py * factor) for px, py in points]
     points[index] = x, y
     return points

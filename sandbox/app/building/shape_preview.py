@@ -32,14 +32,14 @@ def outline(
         lines.dashed(surface, theme.ACCENT, corners)
 
 
-def dots(surface: pygame.Surface, camera: Camera, points: Sequence[XY]) -> None:
+def mark_points(surface: pygame.Surface, camera: Camera, points: Sequence[XY]) -> None:
     """Mark points that were set [m]."""
     for place in camera.path(points):
         pygame.draw.aacircle(surface, theme.STAGE, place, 5)
         pygame.draw.aacircle(surface, theme.ACCENT, place, 4)
 
 
-def measure(surface: pygame.Surface, pen: Pen, pixel: XY, text: str) -> None:
+def write_measure(surface: pygame.Surface, pen: Pen, pixel: XY, text: str) -> None:
     """Write a measure beside the mouse, on a background."""
     line = pen.write(text, 13)
     box = line.get_rect(topleft=(round(pixel[0]) + ASIDE, round(pixel[1]) + ASIDE)).inflate(12, 6)
@@ -49,14 +49,14 @@ def measure(surface: pygame.Surface, pen: Pen, pixel: XY, text: str) -> None:
     surface.blit(line, line.get_rect(center=box.center))
 
 
-def caught(surface: pygame.Surface, camera: Camera, pen: Pen, snapped: SnappedPoint) -> None:
+def mark_snapped(surface: pygame.Surface, camera: Camera, pen: Pen, snapped: SnappedPoint) -> None:
     """Mark a point that snapped, and write what it snapped to unless that is the grid."""
-    if not snapped.by:
+    if not snapped.snapped_to:
         return
     x, y = camera.to_screen(snapped.point)
-    if snapped.by == "grid":
+    if snapped.snapped_to == "grid":
         lines.cross(surface, theme.NOTICE, (x, y), MARK, 1)
         return
     pygame.draw.aacircle(surface, theme.NOTICE, (x, y), MARK, 2)
-    text = pen.outlined(say(snapped.by))
+    text = pen.outlined(say(snapped.snapped_to))
     surface.blit(text, text.get_rect(midbottom=(round(x), round(y) - 10)))

@@ -33,7 +33,7 @@ class TrialRuns:
         self._undone: list[Action] = []
         self._latest: str | None = None  # the text whose run was left last, and can be redone
 
-    def leave(self, session: Session) -> None:
+    def store(self, session: Session) -> None:
         """Store a run before going back to its start."""
         text = session.original.text
         steps = session.world.steps if session.sought is None else session.sought
@@ -45,11 +45,11 @@ class TrialRuns:
         while len(self._left) > MOST:
             del self._left[next(iter(self._left))]
 
-    def left(self, text: str) -> Run | None:
+    def run_of(self, text: str) -> Run | None:
         """Return the run that was left of a text; None if there is none."""
         return self._left.get(text)
 
-    def come_back(self, session: Session, text: str) -> None:
+    def return_to_run(self, session: Session, text: str) -> None:
         """Repeat the run of a text up to where it was left."""
         run = self._left[text]
         self._latest = None
@@ -60,28 +60,28 @@ class TrialRuns:
         return self._latest == text and text in self._left
 
     @staticmethod
-    def changed(session: Session) -> bool:
+    def has_changes(session: Session) -> bool:
         """Return whether the run was changed on the way."""
         return any(action.kind == "alter" for action in session.all_actions)
 
-    def take_back(self, session: Session) -> None:
+    def undo_change(self, session: Session) -> None:
         """Undo the last change of a run, and return to the step at which it was made."""
         actions = session.all_actions
         *_, last = (i for i, action in enumerate(actions) if action.kind == "alter")
         self._undone.append(actions[last])
         session.resume(actions[:last], actions[last].step)
 
-    def is_taken_back(self, session: Session) -> bool:
+    def is_change_undone(self, session: Session) -> bool:
         """Return whether the run is at the step at which a change was undone."""
-        here = session.world.steps, session.sought
-        return bool(self._undone) and here == (self._undone[-1].step, None)
+        position = session.world.steps, session.sought
+        return bool(self._undone) and position == (self._undone[-1].step, None)
 
-    def do_again(self, session: Session) -> bool:
+    def redo_change(self, session: Session) -> bool:
         """Redo a change that was undone at this step, and return whether there was one.
 
         Raises `SandboxError` if it is impossible; nothing is changed then.
         """
-        if not self.is_taken_back(session):
+        if not self.is_change_undone(session):
             self._undone.clear()
             return False
         session.alter(json.dumps(self._undone.pop().level))

@@ -74,7 +74,7 @@ def heading(pen: Pen, width: int, text: str) -> pygame.Surface:
     return card.drawn()
 
 
-def noted(pen: Pen, width: int, title: str, text: str, size: int = 13) -> pygame.Surface:
+def titled_note(pen: Pen, width: int, title: str, text: str, size: int = 13) -> pygame.Surface:
     """Draw a heading with a few words below it."""
     card = Card(pen, width)
     card.heading(title)

@@ -52,11 +52,11 @@ def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfac
     scale = max(abs(now.kinetic), abs(now.potential))
     whole = formatting.quantity(formatting.without_rounding(now.total, scale), "J", 4)
     change = now.total - start.total
-    told = formatting.quantity(change, "J", 3)
+    text = formatting.quantity(change, "J", 3)
     if start.total:
-        told = formatting.share(change / abs(start.total))
+        text = formatting.share(change / abs(start.total))
     x = title.width + pen.px(8)
-    card.put(pen.write(f"{whole}, Δ {told}", 13), x, 1)
+    card.put(pen.write(f"{whole}, Δ {text}", 13), x, 1)
     card.y += title.height + pen.px(2)
     return card.drawn()
 

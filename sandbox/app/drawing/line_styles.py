@@ -17,7 +17,7 @@ def dash(lane: int) -> tuple[int, int]:
     return DASHES[lane % len(DASHES)]
 
 
-def sign(surface: pygame.Surface, which: int, color: Color, pixel: XY, radius: float = 4) -> None:
+def marker(surface: pygame.Surface, which: int, color: Color, pixel: XY, radius: float = 4) -> None:
     """Draw a marker of some radius [px]; the index is taken modulo the number of markers."""
     _SIGNS[which % len(_SIGNS)](surface, color, pixel, radius)
 

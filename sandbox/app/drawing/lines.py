@@ -15,16 +15,16 @@ FARTHEST = 1e30  # px, the bound of coordinates, so that no difference overflows
 INNER = 0.45  # the radius of a star's inner corners, relative to the outer one
 
 
-def near(points: Sequence[XY]) -> bool:
+def are_close(points: Sequence[XY]) -> bool:
     """Whether all points are close enough to be drawn without clipping."""
     return all(-FAR < x < FAR and -FAR < y < FAR for x, y in points)
 
 
 def distance(a: XY, b: XY, point: XY) -> float:
     """Return the distance of a point from the line segment between two others."""
-    along, way = complex(*b) - complex(*a), complex(*point) - complex(*a)
-    share = (way * along.conjugate()).real / abs(along) ** 2 if along else 0.0
-    return abs(way - min(max(share, 0.0), 1.0) * along)
+    along, offset = complex(*b) - complex(*a), complex(*point) - complex(*a)
+    share = (offset * along.conjugate()).real / abs(along) ** 2 if along else 0.0
+    return abs(offset - min(max(share, 0.0), 1.0) * along)
 
 
 def star(center: XY, radius: float) -> list[XY]:
@@ -36,37 +36,37 @@ def star(center: XY, radius: float) -> list[XY]:
     ]
 
 
-def cut(corners: Sequence[XY]) -> list[XY]:
+def clip(corners: Sequence[XY]) -> list[XY]:
     """Clip a polygon to the part that is close enough to be drawn (Sutherland and Hodgman).
 
     For a line, given as two corners, the first two corners are the ends of the clipped line.
     """
-    kept = [(_bounded(x), _bounded(y)) for x, y in corners]
+    remaining = [(_bounded(x), _bounded(y)) for x, y in corners]
     for axis in (0, 1):
         for side in (-1.0, 1.0):
-            kept = _cut(kept, axis, side)
-    return kept
+            remaining = _clip(remaining, axis, side)
+    return remaining
 
 
 def _bounded(length: float) -> float:
     return min(max(-FARTHEST, length), FARTHEST)  # in this order NaN is bounded, too
 
 
-def _cut(corners: list[XY], axis: int, side: float) -> list[XY]:
+def _clip(corners: list[XY], axis: int, side: float) -> list[XY]:
     """Return the part on one side of an edge; its new corners lie exactly on the edge."""
-    kept: list[XY] = []
+    remaining: list[XY] = []
     for p, q in zip(corners, [*corners[1:], *corners[:1]], strict=True):
         inside, following = side * p[axis] <= EDGE, side * q[axis] <= EDGE
         if inside:
-            kept.append(p)
+            remaining.append(p)
         if inside != following:
             share, other = (side * EDGE - p[axis]) / (q[axis] - p[axis]), 1 - axis
             across = p[other] + (q[other] - p[other]) * share
-            kept.append((across, side * EDGE) if axis else (side * EDGE, across))
-    return kept
+            remaining.append((across, side * EDGE) if axis else (side * EDGE, across))
+    return remaining
 
 
-def seen(surface: pygame.Surface, a: XY, b: XY) -> tuple[float, float]:
+def visible_part(surface: pygame.Surface, a: XY, b: XY) -> tuple[float, float]:
     """Return the start and end of the part of a line near a surface, as distances from a [px]."""
     length = hypot(b[0] - a[0], b[1] - a[1])
     ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
@@ -79,7 +79,7 @@ def stroke(surface: pygame.Surface, color: Color, a: XY, b: XY, width: float) ->
     """Draw a straight line with smooth sides."""
     (ax, ay), (bx, by) = a, b
     if not (-FAR < ax < FAR and -FAR < ay < FAR and -FAR < bx < FAR and -FAR < by < FAR):
-        near_by = cut((a, b))[:2]
+        near_by = clip((a, b))[:2]
         if len(near_by) < 2:
             return
         a, b = near_by
@@ -102,8 +102,8 @@ def fill(
     surface: pygame.Surface, color: Color, corners: Sequence[XY], rim: Color | None = None
 ) -> None:
     """Fill a polygon, with smooth sides, or with a rim of another colour."""
-    if not near(corners):
-        corners = cut(corners)
+    if not are_close(corners):
+        corners = clip(corners)
     if len(corners) > 2:
         polygon(surface, color, corners)
         pygame.draw.aalines(surface, rim or color, True, corners)
@@ -119,9 +119,9 @@ def dashed(
     surface: pygame.Surface, color: Color, points: Sequence[XY], dash: float = 6, gap: float = 5
 ) -> None:
     """Draw a dashed polyline, clipped far outside of the surface."""
-    if not near(points):
+    if not are_close(points):
         for a, b in pairwise(points):
-            dashed(surface, color, cut((a, b))[:2], dash, gap)
+            dashed(surface, color, clip((a, b))[:2], dash, gap)
         return
     for start, end in dashes(points, dash, gap):
         pygame.draw.aaline(surface, color, start, end)
@@ -158,7 +158,7 @@ def arrow(surface: pygame.Surface, color: Color, start: XY, end: XY, width: floa
 def head(surface: pygame.Surface, color: Color, start: XY, end: XY) -> XY | None:
     """Draw the head of an arrow, and return the middle of its base; None if there is no room."""
     length = hypot(end[0] - start[0], end[1] - start[1])
-    if length < 4 or not near((start, end)):
+    if length < 4 or not are_close((start, end)):
         return None
     size = min(11.0, length * 0.6)
     turn = atan2(end[1] - start[1], end[0] - start[0])

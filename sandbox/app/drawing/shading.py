@@ -74,7 +74,7 @@ def bevel(surface: pygame.Surface, rim: Color, corners: Sequence[XY], width: int
 
 def solid(surface: pygame.Surface, color: Color, corners: Sequence[XY]) -> None:
     """Fill a polygon of solid ground: grainy, and darker with depth."""
-    corners = corners if lines.near(corners) else lines.cut(corners)
+    corners = corners if lines.are_close(corners) else lines.clip(corners)
     if len(corners) < 3:
         return
     if not theme.SHADING:
@@ -134,9 +134,9 @@ def bank(
     """
     if not theme.SHADING:
         return
-    if not lines.near(corners):
+    if not lines.are_close(corners):
         for piece in pairwise(corners):
-            if len(seen := lines.cut(piece)) > 1:
+            if len(seen := lines.clip(piece)) > 1:
                 bank(surface, color, seen[:2], side, depth)
         return
     corners = _thinned(corners)
@@ -151,7 +151,7 @@ def bank(
         shade = (*color, round(DENSE * (BANDS + 1 - band) / BANDS))
         for (a, b), (c, d) in zip(pairwise(corners), pairwise(rims[band]), strict=True):
             quad = [(x - area.left, y - area.top) for x, y in (a, b, d, c)]
-            lines.polygon(layer, shade, quad if lines.near(quad) else lines.cut(quad))
+            lines.polygon(layer, shade, quad if lines.are_close(quad) else lines.clip(quad))
     surface.blit(layer, area)
 
 
@@ -170,8 +170,8 @@ def _mitres(corners: Sequence[XY]) -> Sequence[XY]:
         ((by - ay) / hypot(bx - ax, by - ay), (ax - bx) / hypot(bx - ax, by - ay))
         for (ax, ay), (bx, by) in pairwise(corners)
     ]
-    ways = []
+    directions = []
     for (ax, ay), (bx, by) in pairwise([normals[0], *normals, normals[-1]]):
         size = max(1 + ax * bx + ay * by, SHARP)
-        ways.append(((ax + bx) / size, (ay + by) / size))
-    return ways
+        directions.append(((ax + bx) / size, (ay + by) / size))
+    return directions

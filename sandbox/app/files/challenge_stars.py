@@ -35,7 +35,7 @@ class Progress:
         if stars <= self.stars(title):
             return ""
         self._stars = {**_read(), **self._stars, title: stars}  # with those of other windows
-        why = json_files.keep(file(), _STARS, self._stars)
+        why = json_files.write(file(), _STARS, self._stars)
         return say("the stars could not be saved: {why}", why=why) if why else ""
 
 

@@ -20,15 +20,15 @@ ASIDE = ".broken"
 Value = TypeVar("Value")
 
 
-def read(file: Path, kind: TypeAdapter[Value], otherwise: Value) -> Value:
-    """Return the contents of a file; `otherwise` if it is missing or not valid."""
+def read(file: Path, kind: TypeAdapter[Value], default: Value) -> Value:
+    """Return the contents of a file; `default` if it is missing or not valid."""
     try:
         return kind.validate_json(read_ordinary(file, LARGEST) or b"")
     except (OSError, ValidationError):
-        return otherwise
+        return default
 
 
-def keep(file: Path, kind: TypeAdapter[Value], value: Value) -> str:
+def write(file: Path, kind: TypeAdapter[Value], value: Value) -> str:
     """Write a file, completely or not at all; return why that fails, else an empty string.
 
     What stands there and is not valid is kept beside it, as somebody may want to mend it.

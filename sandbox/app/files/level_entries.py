@@ -38,7 +38,7 @@ class Entry(NamedTuple):
     words: str
     """The text that a search looks through, in lower case: as shown, and as in the file."""
 
-    def said_anew(self) -> "Entry":
+    def in_current_language(self) -> "Entry":
         """Return the entry in the current language."""
         return _entry(self.path, self.chapter, self.original)
 

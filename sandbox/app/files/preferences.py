@@ -48,7 +48,7 @@ def file() -> Path:
     return data_folder() / "settings.json"
 
 
-def suiting(height: int) -> int:
+def size_for_desktop(height: int) -> int:
     """Return the size of text [%] for a desktop of some height [px]: larger for small pixels."""
     return ON_DENSE if height >= DENSE else USUAL
 
@@ -65,7 +65,7 @@ class WindowPreferences:
         """The current settings; every change replaces the object."""
         self.unreadable = self.chosen is usual and file().exists()
         """Whether there are saved settings that cannot be read."""
-        self._suiting = suiting(desktop)
+        self._suiting = size_for_desktop(desktop)
 
     @property
     def size(self) -> int:
@@ -92,7 +92,7 @@ class WindowPreferences:
     def choose(self, **changes: object) -> str:
         """Change settings and save them; return why that fails, else an empty string."""
         self.chosen = _KIND.validate_python({**self.chosen.model_dump(), **changes})
-        why = json_files.keep(file(), _KIND, self.chosen)
+        why = json_files.write(file(), _KIND, self.chosen)
         return say("the settings could not be saved: {why}", why=why) if why else ""
 
     def resize(self, direction: int) -> str:
@@ -104,5 +104,5 @@ class WindowPreferences:
 
     def next_theme(self) -> str:
         """Choose the theme after this one; see `choose`."""
-        here = NAMES.index(self.chosen.theme)
-        return self.choose(theme=NAMES[(here + 1) % len(NAMES)])
+        index = NAMES.index(self.chosen.theme)
+        return self.choose(theme=NAMES[(index + 1) % len(NAMES)])

@@ -36,7 +36,7 @@ class Recent:
             return ""
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
         others = [each for each in _read() if each != str(path)]  # with those of other windows
-        why = json_files.keep(file(), _PATHS, [str(path), *others][:MOST])
+        why = json_files.write(file(), _PATHS, [str(path), *others][:MOST])
         message = later("the list of recent files could not be saved: {why}")
         return say(message, why=why) if why else ""
 

@@ -51,13 +51,13 @@ class Grid:
         """Return the index of the next card in a direction; the same if there is none."""
         if dx:
             return min(max(index + dx, 0), len(self.cards) - 1)
-        here = self.cards[index][1]
-        rows = sorted({place.y for _, place in self.cards if (place.y - here.y) * dy > 0})
+        rect = self.cards[index][1]
+        rows = sorted({place.y for _, place in self.cards if (place.y - rect.y) * dy > 0})
         if not rows:
             return index
         row = rows[0] if dy > 0 else rows[-1]
         found = [i for i, (_, place) in enumerate(self.cards) if place.y == row]
-        return min(found, key=lambda i: abs(self.cards[i][1].x - here.x))
+        return min(found, key=lambda i: abs(self.cards[i][1].x - rect.x))
 
 
 def lay_out(
@@ -85,9 +85,9 @@ def lay_out(
     return Grid(tuple(cards), tuple(headings), picture, y + gap)
 
 
-def sections(found: Sequence[Entry], sought: str) -> list[tuple[str, Sequence[Entry]]]:
+def sections(found: Sequence[Entry], search: str) -> list[tuple[str, Sequence[Entry]]]:
     """Group levels by chapter; search results stay together, the best first."""
-    if not sought.strip():
+    if not search.strip():
         chapters = groupby(found, key=lambda level: level.chapter)
         return [(say(chapter.capitalize()), list(levels)) for chapter, levels in chapters]
     return [(say("Found") if found else say("No level matches"), found)]

@@ -47,7 +47,7 @@ class ChapterBar:
             yield heading, pygame.Rect(x, y, width, px(HEIGHT))
             x += width + px(GAP)
 
-    def place(self, text: str) -> pygame.Rect:
+    def rect_of(self, text: str) -> pygame.Rect:
         """Return the rectangle of a chapter's button in the window [px]."""
         return next(place for heading, place in self._places if heading.text == text)
 
@@ -60,11 +60,11 @@ class ChapterBar:
     def draw(self, surface: pygame.Surface, top: float) -> None:
         """Draw the chapters, and mark the one whose cards are at the visible `top` [px]."""
         surface.fill(theme.STAGE, self._area.clip(surface.get_rect()))
-        here = _at(top, [heading for heading, _ in self._places])
+        chapter = _at(top, [heading for heading, _ in self._places])
         for heading, place in self._places:
-            lit = heading is here or heading is self.hovered
+            lit = heading is chapter or heading is self.hovered
             pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
-            rim = theme.ACCENT if heading is here else theme.EDGE
+            rim = theme.ACCENT if heading is chapter else theme.EDGE
             pygame.draw.rect(surface, rim, place, 1, border_radius=6)
             image = self._pen.write(heading.text, CAPTION, theme.TEXT if lit else theme.DIM)
             surface.blit(image, image.get_rect(center=place.center))

@@ -31,7 +31,7 @@ class Strip:
         self.hovered: Unsaved | None = None
         """The draft or run under the mouse, or None."""
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Look for what windows that have ended left behind."""
         self._rows, self.hovered = unsaved(), None
 
@@ -42,7 +42,7 @@ class Strip:
         rest = area.height - self._area.height
         return pygame.Rect(area.x, self._area.bottom, area.width, rest)
 
-    def place(self, index: int) -> pygame.Rect:
+    def rect_of(self, index: int) -> pygame.Rect:
         """Return the rectangle of a row in the window [px]."""
         px, (x, y) = self._pen.px, self._area.topleft
         top = y + px(GAP) + index * px(ROW + GAP)
@@ -50,7 +50,7 @@ class Strip:
 
     def follow(self, pixel: tuple[int, int]) -> bool:
         """Update the hovered row, and return whether the mouse is over the strip."""
-        places = {i: self.place(i).collidepoint(pixel) for i in range(len(self._rows))}
+        places = {i: self.rect_of(i).collidepoint(pixel) for i in range(len(self._rows))}
         self.hovered = next((self._rows[i] for i, over in places.items() if over), None)
         return self._area.collidepoint(pixel)
 
@@ -58,7 +58,7 @@ class Strip:
         """Draw the rows."""
         surface.fill(theme.STAGE, self._area.clip(surface.get_rect()))
         for i, left in enumerate(self._rows):
-            place, pad = self.place(i), self._pen.px(PADDING)
+            place, pad = self.rect_of(i), self._pen.px(PADDING)
             lit = left is self.hovered
             pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
             pygame.draw.rect(surface, theme.NOTICE, place, 1, border_radius=6)

@@ -69,7 +69,7 @@ class Home:
         self.open, self._progress = True, Progress()
         self.thumbnails.forget()
         self._laid_out, self._here = None, path
-        self.strip.look()
+        self.strip.refresh()
 
     def renew(self) -> None:
         """Lay out and draw everything again, in the current theme, scale and language."""
@@ -95,16 +95,16 @@ class Home:
         """The level that Enter opens; None if there is none."""
         return self._grid.cards[self._focus][0] if self._grid.cards else None
 
-    def place(self, index: int) -> pygame.Rect:
+    def card_rect(self, index: int) -> pygame.Rect:
         """Return the rectangle of a card in the window, which may be out of view [px]."""
         return self._grid.cards[index][1].move(self._area.x, self._area.y - round(self._top))
 
-    def update(self, area: pygame.Rect, found: Sequence[Entry], sought: str) -> None:
+    def update(self, area: pygame.Rect, found: Sequence[Entry], search: str) -> None:
         """Lay out the levels that a search found in an area [px], and take in finished pictures."""
         area = self.strip.take_room(area)
-        wanted = tuple(area), tuple(found), sought.strip()
+        wanted = tuple(area), tuple(found), search.strip()
         if wanted != self._laid_out:
-            self._lay_out(area, found, sought, again=self._laid_out is not None)
+            self._lay_out(area, found, search, again=self._laid_out is not None)
             self._laid_out = wanted
         seen = [level.path for level, _ in self._seen()]
         self.thumbnails.follow(seen, [level.path for level, _ in self._grid.cards])
@@ -115,14 +115,14 @@ class Home:
         self.preview.follow(over, seconds)
 
     def _lay_out(
-        self, area: pygame.Rect, found: Sequence[Entry], sought: str, *, again: bool
+        self, area: pygame.Rect, found: Sequence[Entry], search: str, *, again: bool
     ) -> None:
         path = self.focus.path if again and self.focus is not None else self._here
-        self._grid = lay_out(area.width, sections(found, sought), self._pen.scale)
+        self._grid = lay_out(area.width, sections(found, search), self._pen.scale)
         self._area = self.chapters.take_room(area, self._grid.headings)
         self.thumbnails.resize(self._grid.picture)
         places = {level.path: i for i, (level, _) in enumerate(self._grid.cards)}
-        self._focus = places.get(path, 0) if path is not None and not sought.strip() else 0
+        self._focus = places.get(path, 0) if path is not None and not search.strip() else 0
         self._hovered = None
         self._top = self._chapter_of_focus()
         self._show_focus()
@@ -146,7 +146,7 @@ class Home:
 
     def _seen(self) -> list[tuple[Entry, pygame.Rect]]:
         """Return the levels whose cards are in view, with their rectangles in the window [px]."""
-        placed = ((entry, self.place(i)) for i, (entry, _) in enumerate(self._grid.cards))
+        placed = ((entry, self.card_rect(i)) for i, (entry, _) in enumerate(self._grid.cards))
         return [(entry, place) for entry, place in placed if place.colliderect(self._area)]
 
     def process(self, event: pygame.event.Event) -> bool:
@@ -230,7 +230,7 @@ class Home:
             if area.top - self._pen.px(HEADING) < y < area.bottom:
                 self._draw_heading(surface, heading.text, heading.count, y)
         for i in range(len(self._grid.cards)):
-            if self.place(i).colliderect(area):
+            if self.card_rect(i).colliderect(area):
                 self._draw_card(surface, i)
         self._draw_bar(surface)
         surface.set_clip(None)
@@ -240,11 +240,11 @@ class Home:
         x = self._area.x + self._pen.px(MARGIN)
         surface.blit(title, (x, y + self._pen.px(12)))
         if count:
-            told = self._pen.write(str(count), 13, theme.DIM)
-            surface.blit(told, (x + title.width + 10, y + self._pen.px(16)))
+            count_text = self._pen.write(str(count), 13, theme.DIM)
+            surface.blit(count_text, (x + title.width + 10, y + self._pen.px(16)))
 
     def _draw_card(self, surface: pygame.Surface, index: int) -> None:
-        level, place = self._grid.cards[index][0], self.place(index)
+        level, place = self._grid.cards[index][0], self.card_rect(index)
         lit = index == self._hovered
         pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
         top = pygame.Rect(place.topleft, self._grid.picture)
@@ -255,8 +255,8 @@ class Home:
         else:
             surface.fill(theme.GRID, top)
             hopeless = self.thumbnails.hopeless(level.path)
-            told = self._pen.write(say("no picture") if hopeless else "…", 13, theme.DIM)
-            surface.blit(told, told.get_rect(center=top.center))
+            text = self._pen.write(say("no picture") if hopeless else "…", 13, theme.DIM)
+            surface.blit(text, text.get_rect(center=top.center))
         self._draw_words(surface, level, pygame.Rect(top.x, top.bottom, place.width, 0))
         focused = index == self._focus
         rim = theme.ACCENT if focused else theme.AXIS if lit else theme.EDGE

@@ -67,16 +67,16 @@ def key(path: Path) -> str:
     return hashlib.sha256(about + content).hexdigest()[:32]
 
 
-def kept(known: str, where: Path | None = None) -> bytes:
+def cached(cache_key: str, where: Path | None = None) -> bytes:
     """Return the cached picture with a key; empty if there is none."""
     try:
-        png = read_ordinary((where or folder()) / f"{known}.png", LARGEST) or b""
+        png = read_ordinary((where or folder()) / f"{cache_key}.png", LARGEST) or b""
     except OSError:
         return b""
     return png if png.startswith(_BEGIN) and png.endswith(_END) else b""
 
 
-def made(where: Path, orders: Connection) -> Iterator[Picture]:
+def draw_all(where: Path, orders: Connection) -> Iterator[Picture]:
     """Draw levels in a process without a window, and cache the pictures in a folder.
 
     The latest of the `orders` is a list of levels; what is left of earlier ones is not drawn.
@@ -94,16 +94,16 @@ def made(where: Path, orders: Connection) -> Iterator[Picture]:
 
 def _made(path: Path, pen: Pen, where: Path) -> Picture:
     try:
-        known = key(path)
-        png = kept(known, where) or level_picture.png(draw(path, pen))
+        cache_key = key(path)
+        png = cached(cache_key, where) or level_picture.png(draw(path, pen))
     except OSError:
         return Picture(path, "", b"")
     except SandboxError:
-        return Picture(path, known, b"")
+        return Picture(path, cache_key, b"")
     with suppress(SandboxError, OSError):  # the picture is shown even if it cannot be cached
         where.mkdir(parents=True, exist_ok=True)
-        write_atomically(where / f"{known}.png", png, follow=False)
-    return Picture(path, known, png)
+        write_atomically(where / f"{cache_key}.png", png, follow=False)
+    return Picture(path, cache_key, png)
 
 
 def draw(path: Path, pen: Pen) -> pygame.Surface:

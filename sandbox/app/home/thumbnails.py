@@ -35,8 +35,8 @@ class Thumbnails(BackgroundTask):
 
     def forget(self) -> None:
         """Forget all pictures, since files may have changed."""
-        for known in (self._pictures, self._lacking, self._kept, self._hopeless):
-            known.clear()
+        for cache in (self._pictures, self._lacking, self._kept, self._hopeless):
+            cache.clear()
 
     def of(self, path: Path) -> pygame.Surface | None:
         """Return the picture of a level; None if it is not ready."""
@@ -75,12 +75,12 @@ class Thumbnails(BackgroundTask):
 
     def _unknown(self, path: Path) -> bool:
         """Whether the picture of a visible card has not been looked up yet."""
-        known = path in self._pictures or path in self._lacking or path in self._hopeless
-        return not known and path not in self._drawing
+        is_known = path in self._pictures or path in self._lacking or path in self._hopeless
+        return not is_known and path not in self._drawing
 
     def _look_up(self, path: Path) -> None:
         try:
-            png = picture_cache.kept(picture_cache.key(path))
+            png = picture_cache.cached(picture_cache.key(path))
         except OSError:
             self._hopeless.add(path)
             return
@@ -100,7 +100,7 @@ class Thumbnails(BackgroundTask):
             return
         if not self._work.running:
             self._drawn = 0
-            self._work.start(picture_cache.made, picture_cache.folder(), listens=True)
+            self._work.start(picture_cache.draw_all, picture_cache.folder(), listens=True)
         now = self._drawing[:1]
         self._drawing = now + [path for path in wanted if path not in now][:BATCH]
         self._work.send(list(self._drawing))

@@ -8,7 +8,7 @@ import pygame
 
 from sandbox.app.drawing import theme
 from sandbox.app.observing.earlier_runs import alike
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.view import View
 from sandbox.app.words import formatting
@@ -44,10 +44,10 @@ class ProbedInstant(NamedTuple):
     def text(self) -> str:
         """The text that describes the instant."""
         wide, fastest = self.scales
-        told = zip((*self.place, self.speed), (wide, wide, fastest), strict=True)
+        numbers = zip((*self.place, self.speed), (wide, wide, fastest), strict=True)
         x, y, speed = (
             formatting.number(formatting.without_rounding(value, scale), DIGITS)
-            for value, scale in told
+            for value, scale in numbers
         )
         body = formatting.name_in_words(self.body)
         return f"{body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from sandbox.app.drawing import theme
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
@@ -43,8 +43,10 @@ class Earlier(NamedTuple):
 
     def label(self, now: Values) -> str:
         """Return a label with the parameters that differ from another run's."""
-        told = self.changed | _differing(self.world.values, now)
-        values = ", ".join(f"{n} = {v:.6g}" for n, v in self.world.values.items() if n in told)
+        differences = self.changed | _differing(self.world.values, now)
+        values = ", ".join(
+            f"{n} = {v:.6g}" for n, v in self.world.values.items() if n in differences
+        )
         if self.left is None:
             return values
         if not values:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.app.observing.state_history import States
+from sandbox.app.observing.thinned_history import States
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Array

@@ -69,8 +69,10 @@ class SelectedBody:
         """Select the next dynamic body, in the order of the level; after the last, the first."""
         names = [name for name, body in level.bodies.items() if body.type == "dynamic"]
         if names:
-            here = self.body(level)
-            self.chosen = names[(names.index(here) + 1) % len(names)] if here in names else names[0]
+            selected = self.body(level)
+            self.chosen = (
+                names[(names.index(selected) + 1) % len(names)] if selected in names else names[0]
+            )
 
     def at(self, world: World) -> FreeBody | None:
         """Return the forces on the selected body; None if unknown, see `FreeBodies.of`."""
@@ -95,9 +97,9 @@ class SelectedBody:
         """
         if self._told is None or self._told[0] is not world:
             return found
-        _, told, at = self._told
-        same = told.body == found.body and _whom(told) == _whom(found)
-        return told if same and perf_counter() - at < HELD else found
+        _, texts, at = self._told
+        same = texts.body == found.body and _whom(texts) == _whom(found)
+        return texts if same and perf_counter() - at < HELD else found
 
     def full(self, found: FreeBody) -> float:
         """Return the force that corresponds to the longest arrow on a body [N].
@@ -106,8 +108,8 @@ class SelectedBody:
         not count.
         """
         now = 0.0 if found.struck else max(found.largest, *map(abs, found.mass_times_acceleration))
-        known = self._full.get(found.body, 0.0)
-        if now > known or 0 < now < known * LITTLE:
+        full_force = self._full.get(found.body, 0.0)
+        if now > full_force or 0 < now < full_force * LITTLE:
             self._full[found.body] = rounded_up(now)
         return self._full.get(found.body) or rounded_up(found.largest)
 
@@ -137,9 +139,9 @@ def texts(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:
     forces = felt(found)
     alike = [acting for acting in forces if _count(forces, acting) > 1]
     short = len({acting.name for acting in alike}) == 1 and all(acting.by for acting in alike)
-    told = [say(a.name) if a not in alike else _from(a) if short else _whole(a) for a in forces]
+    captions = [say(a.name) if a not in alike else _from(a) if short else _whole(a) for a in forces]
     sizes = [f"{newtons(acting.magnitude)} N" for acting in forces]
-    return [*zip(forces, map(" ".join, zip(_numbered(told), sizes, strict=True)), strict=True)]
+    return [*zip(forces, map(" ".join, zip(_numbered(captions), sizes, strict=True)), strict=True)]
 
 
 def titles(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:

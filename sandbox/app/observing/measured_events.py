@@ -60,11 +60,11 @@ def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]
         if key not in found:
             x, y = (value_at(trace.t, trace.columns[name], result.t) for name in _position(body))
             found[key] = Milestone(body, (x, y), [], passed=True)
-        here = found[key]
-        here.passed = here.passed and result.verdict == "passed"
-        if len(here.measured) < MOST:
+        event = found[key]
+        event.passed = event.passed and result.verdict == "passed"
+        if len(event.measured) < MOST:
             value = formatting.quantity(result.measured, result.unit, 3)
-            here.measured.append((result.check, value))
+            event.measured.append((result.check, value))
     return tuple(found[key] for key in sorted(found, key=lambda key: key[1]))
 
 

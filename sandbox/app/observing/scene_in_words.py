@@ -118,8 +118,8 @@ def _point(world: World, point: complex) -> str:
 def _place(world: World, row: int) -> str:
     at = _point(world, complex(*world.snapshot.position[row].tolist()))
     angle = float(world.snapshot.angle[row])
-    turned = f", turned by {formatting.quantity(angle, 'rad', 3)}" if abs(angle) > STILL else ""
-    return f", at {at}{turned}"
+    rotation = f", turned by {formatting.quantity(angle, 'rad', 3)}" if abs(angle) > STILL else ""
+    return f", at {at}{rotation}"
 
 
 def _motion(world: World, row: int) -> str:
@@ -164,8 +164,8 @@ def _contacts(world: World) -> Iterator[str]:
     forces = contacts.normal / world.dt
     strongest = max(forces.max(initial=0.0), abs(world.snapshot.tension).max(initial=0.0))
     for (first, second), force in zip(contacts.bodies, forces.tolist(), strict=True):
-        told = f"press on each other with {formatting.quantity(force, 'N', 4)}"
-        yield f"{names[first]} and {names[second]} {told if force > FAINT * strongest else 'touch'}"
+        text = f"press on each other with {formatting.quantity(force, 'N', 4)}"
+        yield f"{names[first]} and {names[second]} {text if force > FAINT * strongest else 'touch'}"
 
 
 def _check(result: Result) -> str:

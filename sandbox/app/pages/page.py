@@ -8,18 +8,15 @@ from typing import Any, NamedTuple, Protocol, TypeVar, runtime_checkable
 import pygame
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.drawing.theme import Color
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_budget import Load
 from sandbox.app.runs.session import Session
+from sandbox.app.stage.run_legend import LegendRow
 from sandbox.app.stage.stage import Stage
 from sandbox.app.widgets.scrolling_area import Panel, Sheet, below
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.window_keys import Binding
 from sandbox.model.level import Level
-
-Row = tuple[Color | None, str]
-"""A colour (None for the run that is played), and the caption of what is drawn in it."""
 
 
 class Worker(Protocol):
@@ -202,7 +199,7 @@ class Page:
     """whether it shows the recorded state while the run is still on its way there"""
     overlay: str = ""
     """an overlay of the stage that is drawn while the page is shown, even if switched off"""
-    beside: Callable[[Session], Sequence[Row]] | None = None
+    beside: Callable[[Session], Sequence[LegendRow]] | None = None
     """the runs that the page superimposes on the stage, that of the session first; empty if none.
     A still picture then shows the page's card in place of the checks."""
 
@@ -246,7 +243,7 @@ class Page:
         assert self.card is not None
         return CardPanel(sheet, desk.session, self.card)
 
-    def runs(self, session: Session) -> Sequence[Row]:
+    def runs(self, session: Session) -> Sequence[LegendRow]:
         """Return the runs that the page superimposes on the stage."""
         return self.beside(session) if self.beside is not None else ()
 

@@ -21,8 +21,9 @@ from sandbox.app.pages import (
     share,
     table,
 )
-from sandbox.app.pages.page import Page, Row
+from sandbox.app.pages.page import Page
 from sandbox.app.runs.session import Session
+from sandbox.app.stage.run_legend import LegendRow
 from sandbox.model.level import Level
 
 PAGES: tuple[Page, ...] = (
@@ -67,7 +68,7 @@ def opening(level: Level, shown: str) -> str:
     return PAGES[0].command if page(shown).suits is not None else shown
 
 
-def runs_beside(session: Session) -> tuple[Page | None, Sequence[Row]]:
+def runs_beside(session: Session) -> tuple[Page | None, Sequence[LegendRow]]:
     """Return the page that superimposes other runs, and their rows; None if there is none."""
     found = ((page, rows) for page in PAGES if (rows := page.runs(session)))
     return next(found, (None, ()))

@@ -53,11 +53,11 @@ class Workers:
         No time passes before the first picture, which needs no worker.
         """
         workers = self._by_page if seconds else self._made
-        told = (
+        messages = (
             each.follow(session, seconds, watched=command == page)
             for command, each in workers.items()
         )
-        return [text for text in told if text is not None]
+        return [text for text in messages if text is not None]
 
     def cancel(self) -> None:
         """Cancel all work."""

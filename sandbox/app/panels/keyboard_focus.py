@@ -55,8 +55,8 @@ class Focus:
         if not found:
             return
         typed = next((e for e in found if isinstance(e, Field) and e.is_focused), None)
-        here = typed or self.element(manager, layout)
-        start = found.index(here) if here in found else (-1 if direction > 0 else 0)
+        current = typed or self.element(manager, layout)
+        start = found.index(current) if current in found else (-1 if direction > 0 else 0)
         place = (start + direction) % len(found)
         at = self._at = found[place]
         self._known = _words(at), place
@@ -111,13 +111,13 @@ def stops(manager: UIManager, layout: Layout) -> Sequence[Stop]:
     found = [each for each in every if _is_a_stop(each)]
     found = [each for each in found if DIALOG in each.most_specific_combined_id] or found
     fields = {id(each.ui_container) for each in found if isinstance(each, Field)}
-    kept = [
+    elements = [
         each
         for each in found
         if not (isinstance(each, UIHorizontalSlider) and id(each.ui_container) in fields)
     ]  # the slider of a parameter is skipped: the arrow keys do the same in its field
     containers = _containers(manager)
-    return sorted(kept, key=lambda each: _rank(layout, each, containers))
+    return sorted(elements, key=lambda each: _rank(layout, each, containers))
 
 
 def _is_a_stop(each: Stop) -> bool:

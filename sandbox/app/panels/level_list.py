@@ -77,7 +77,7 @@ class LevelList:
         pen: Pen,
         rect: pygame.Rect,
         levels: Sequence[Entry],
-        sought: str = "",
+        search: str = "",
     ) -> None:
         self._pen, self._px = pen, pen.px
         px = self._px
@@ -88,7 +88,7 @@ class LevelList:
         self.field = Field(
             pygame.Rect(px(MARGIN), 2 * px(MARGIN) + px(FIELD), width, px(FIELD)), manager,
             container=self.column,
-            initial_text=sought, placeholder_text=say("Find a level ( / )"),
+            initial_text=search, placeholder_text=say("Find a level ( / )"),
         )  # fmt: skip
         """The search field."""
         self.field.set_forbidden_characters(["/"])  # the key that leads here
@@ -118,11 +118,11 @@ class LevelList:
 
         They share the room that their captions leave.
         """
-        ways = {"home": say("Home"), "new scene": say("New"), "open file": say("Open …")}
-        needed = {command: pen.write(text, CAPTION).width for command, text in ways.items()}
+        buttons = {"home": say("Home"), "new scene": say("New"), "open file": say("Open …")}
+        needed = {command: pen.write(text, CAPTION).width for command, text in buttons.items()}
         gap = x = self._px(MARGIN)
-        spare = (width - (len(ways) - 1) * gap - sum(needed.values())) // len(ways)
-        for command, text in ways.items():
+        spare = (width - (len(buttons) - 1) * gap - sum(needed.values())) // len(buttons)
+        for command, text in buttons.items():
             place = pygame.Rect(x, gap, needed[command] + spare, self._px(FIELD))
             x = place.right + gap
             yield (
@@ -148,8 +148,8 @@ class LevelList:
             image.get_rect(x=self._px(MARGIN)), image, manager, container=self._container
         )
 
-    def update(self, kept: UIElement | None = None) -> None:
-        """Make the rows that have become visible, and remove distant ones except `kept`."""
+    def update(self, focused: UIElement | None = None) -> None:
+        """Make the rows that have become visible, and remove distant ones except `focused`."""
         top, height = scrolled(self._container), self._container.rect.height
         if top == self._seen:
             return
@@ -157,13 +157,13 @@ class LevelList:
         self._make(self._between(top - self._px(ROW), top + height))
         near = set(self._between(top - height, top + 2 * height))
         for level in self.rows.keys() - near:
-            if self.rows[level] is not kept and not self.rows[level].hovered:
+            if self.rows[level] is not focused and not self.rows[level].hovered:
                 self.rows.pop(level).kill()  # type: ignore[no-untyped-call]
 
-    def reach(self, here: UIElement | None) -> None:
+    def reach(self, element: UIElement | None) -> None:
         """Make the rows that Tab may reach from a widget: its neighbours, the first, the last."""
         listed = list(self._tops)
-        at = next((listed.index(level) for level, row in self.rows.items() if row is here), 0)
+        at = next((listed.index(level) for level, row in self.rows.items() if row is element), 0)
         self._make(listed[max(at - 1, 0) : at + 2] + listed[:1] + listed[-1:])
 
     def complete(self) -> None:
@@ -182,10 +182,10 @@ class LevelList:
 
     def _row(self, level: Entry) -> Row:
         """Return a new button at its place."""
-        caption, told = self._caption(level)
+        caption, tip = self._caption(level)
         place = self._px(MARGIN), self._tops[level], self._width, self._px(ROW)
         row = Row(
-            pygame.Rect(place), caption, self._container.ui_manager, tool_tip_text=told,
+            pygame.Rect(place), caption, self._container.ui_manager, tool_tip_text=tip,
             container=self._container, object_id=ObjectID(class_id="@level"),
         )  # fmt: skip
         press(row, level.path == self._chosen)
@@ -245,9 +245,9 @@ class LevelList:
         words = self.sought.casefold().split()
         if not words:
             return list(self._levels)
-        known = [(e, [word for word in words if word in e.words]) for e in self._levels]
-        most = max((len(contained) for _, contained in known), default=0) or 1
-        found = [each for each in known if len(each[1]) == most]
+        matches = [(e, [word for word in words if word in e.words]) for e in self._levels]
+        most = max((len(contained) for _, contained in matches), default=0) or 1
+        found = [each for each in matches if len(each[1]) == most]
         return [e for e, _ in sorted(found, key=lambda each: rank(*each))]
 
     def clear(self) -> None:

@@ -183,9 +183,9 @@ class Panels:
 
     def turn(self, pages: float) -> None:
         """Scroll the side panel or the refusal by a multiple of its height."""
-        turned = self.side or self.refusal
-        if turned is not None:
-            turned.turn(pages)
+        panel = self.side or self.refusal
+        if panel is not None:
+            panel.turn(pages)
 
     def go_on(self, direction: int) -> None:
         """Move the focus to the next or the previous widget, including rows out of sight."""
@@ -241,8 +241,8 @@ class Panels:
 
     def pressed(self, event: pygame.event.Event) -> str | None:
         """Return the command whose button was pressed, if one was."""
-        way = self.list.pressed(event) if self.list is not None else None
-        return way or self.controls.process(event)
+        command = self.list.pressed(event) if self.list is not None else None
+        return command or self.controls.process(event)
 
     def follow_home(self) -> None:
         """Show the search result of the list on the home page."""

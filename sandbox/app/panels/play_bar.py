@@ -153,8 +153,8 @@ class Controls(Bar):
         now = pen.write(f"t = {formatting.seconds(shown)}", 15, bold=True)
         surface.blit(now, (area.x, middle - pen.px(20)))
         room = area.width - now.width - pen.px(10)
-        told = [*self._pointed_at(session), *notes(session)]
-        written = (pen.write(text, 13, color) for text, color in told)
+        lines = [*self._pointed_at(session), *notes(session)]
+        written = (pen.write(text, 13, color) for text, color in lines)
         if note := next((note for note in written if note.width <= room), None):
             surface.blit(note, (area.right - note.width, middle - pen.px(18)))
         track = self._track
@@ -219,8 +219,8 @@ def notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
     reduced = session.pace.reduced if session.playing else None
     if reduced is None or reduced > NEARLY * session.speed:
         beyond = session.world.steps > session.end
-        told = later("complete at {time}") if beyond else later("of {time}")
-        yield say(told, time=formatting.seconds(session.duration)), theme.DIM
+        caption = later("complete at {time}") if beyond else later("of {time}")
+        yield say(caption, time=formatting.seconds(session.duration)), theme.DIM
         return
     message = say("running at {speed:.2g}×", speed=reduced)
     if session.remaining:

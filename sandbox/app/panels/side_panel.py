@@ -120,14 +120,14 @@ class SidePanel:
         if self._session.recalled is None or (self._recalls and self.foot is None):
             return
         at = say("This page still shows t = {t}", t=seconds(self._session.t))
-        told = pen.write(pen.shorten(at, rect.width - 2 * pen.px(MARGIN), 13), 13, theme.NOTICE)
-        strip = pygame.Rect(rect.x, 0, rect.width, told.height + pen.px(8))
+        text = pen.write(pen.shorten(at, rect.width - 2 * pen.px(MARGIN), 13), 13, theme.NOTICE)
+        strip = pygame.Rect(rect.x, 0, rect.width, text.height + pen.px(8))
         if self.foot is not None:  # at the bottom, so that it hides no heading
             strip.top = self.foot.top
         else:
             strip.bottom = rect.bottom
         surface.fill(theme.RAISED, strip)
-        surface.blit(told, told.get_rect(center=strip.center))
+        surface.blit(text, text.get_rect(center=strip.center))
 
     def tab(self, page: str) -> UIButton:
         """Return the tab of a page, given by its command."""

@@ -80,13 +80,13 @@ def draw_help(
     else:
         sheets = [tables]
     number = min(number, len(sheets))
-    told = say("Keys and mouse")
+    title = say("Keys and mouse")
     if len(sheets) > 1:
-        told = say(
-            "{title}, {number} of {count}: H goes on", title=told, number=number, count=len(sheets)
+        title = say(
+            "{title}, {number} of {count}: H goes on", title=title, number=number, count=len(sheets)
         )
     sheet, scale = (
-        _sheet(pen, told, sheets[number - 1]),
+        _sheet(pen, title, sheets[number - 1]),
         _shrinking(surface, pen, area, sheets[number - 1]),
     )
     if scale < 1:

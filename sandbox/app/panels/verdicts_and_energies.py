@@ -99,10 +99,10 @@ class Foot:
 
     def _summary(self) -> str:
         """Return the summary of the checks; where the footer is too narrow, without its title."""
-        told = check_summary(self._session)
-        if self._pen.write(told, SIZE).width > self._width:
-            told = told.partition(": ")[2]
-        return self._pen.shorten(told, self._width, SIZE)
+        summary = check_summary(self._session)
+        if self._pen.write(summary, SIZE).width > self._width:
+            summary = summary.partition(": ")[2]
+        return self._pen.shorten(summary, self._width, SIZE)
 
     def _drawn(self) -> pygame.Surface:
         session, books = self._session, self._session.books
@@ -135,4 +135,4 @@ def counted(verdicts: Sequence[Verdict]) -> str:
             "{count} does not apply", "{count} do not apply", found["not applicable"]
         ),
     }
-    return ", ".join(told for verdict, told in words.items() if found[verdict])
+    return ", ".join(word for verdict, word in words.items() if found[verdict])

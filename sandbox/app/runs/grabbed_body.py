@@ -62,10 +62,10 @@ class Grip:
         )
         end, far = (first, second) if one == row else (second, first)
         arm = end - complex(*self._position(body))  # from the centre to the rod's end
-        way = complex(*point) + arm - far
-        if one == other or not way:
+        offset = complex(*point) + arm - far
+        if one == other or not offset:
             return point
-        place = far + way / abs(way) * abs(end - far) - arm
+        place = far + offset / abs(offset) * abs(end - far) - arm
         return float(place.real), float(place.imag)
 
     def _position(self, body: str) -> XY:

@@ -20,11 +20,11 @@ class Record(NamedTuple):
 
     def covers(self, step: int, actions: Sequence[Action]) -> bool:
         """Whether the record has the state after some step of a run with these actions."""
-        known, done = (
+        names, done = (
             [action for action in each if action.step <= step] for each in (self.actions, actions)
         )
         begun = float(self.run.history.snapshots.t[0])
-        return begun <= step * self.run.world.dt and step <= self.run.steps() and known == done
+        return begun <= step * self.run.world.dt and step <= self.run.steps() and names == done
 
 
 class Records(tuple[Record, ...]):

@@ -11,7 +11,7 @@ from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.impacts import ImpactLog, ImpactMarks
 from sandbox.app.observing.measured_events import Milestone
 from sandbox.app.observing.running_checks import Ration, Reading, RunGrader
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.play_speed import Pace
 from sandbox.app.runs.run_limits import Limits

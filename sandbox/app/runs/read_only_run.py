@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from sandbox.app.observing.earlier_runs import Earlier, RunObservations, alike
 from sandbox.app.observing.energy_books import Books
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companions import Companion
 from sandbox.app.runs.live_run import LiveRun

@@ -89,7 +89,12 @@ class UndoHistory:
         )  # fmt: skip
 
     def _go(
-        self, session: Session, come_from: list[Setup], go_to: list[Setup], told: str, nothing: str
+        self,
+        session: Session,
+        come_from: list[Setup],
+        go_to: list[Setup],
+        message: str,
+        nothing: str,
     ) -> str:
         self.follow(session, 0.0)
         if not come_from:
@@ -99,7 +104,7 @@ class UndoHistory:
         come_from.pop()
         go_to.append(before)
         self._rest(setup(session) if session.sought is None else wanted)
-        return say(told, what=_words(before, wanted))
+        return say(message, what=_words(before, wanted))
 
     def _rest(self, now: Setup) -> None:
         """Set the reference for the next change."""
@@ -139,8 +144,8 @@ def apply(session: Session, wanted: Setup) -> None:
     """
     now = setup(session)
     both = zip(now.branches, wanted.branches, strict=False)
-    kept = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], both))
-    lost, gained = now.branches[kept:], wanted.branches[kept:]
+    common = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], both))
+    lost, gained = now.branches[common:], wanted.branches[common:]
     if not _same_form(now, wanted):
         session.play_as(wanted.level, wanted.beside, wanted.changes, wanted.values)
     elif now.begun == wanted.begun and (lost or gained) and len(gained) <= 1:

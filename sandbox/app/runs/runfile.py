@@ -67,8 +67,8 @@ def run_of(session: Session) -> Run:
 def _scene(level: Level) -> Level:
     """Return a level without its formulas, which do not hold with other effects."""
     view = level.view.model_copy(update={"landscape": None})
-    told: dict[str, object] = {"checks": (), "ghosts": {}, "challenge": None, "view": view}
-    scene = level.model_copy(update=told)
+    without: dict[str, object] = {"checks": (), "ghosts": {}, "challenge": None, "view": view}
+    scene = level.model_copy(update=without)
     used = names_in(scene)
     parameters = {name: p for name, p in level.parameters.items() if name in used}
     return scene.model_copy(update={"parameters": parameters})

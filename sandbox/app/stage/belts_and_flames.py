@@ -46,7 +46,7 @@ def _draw_marks(
     a, b = camera.path(side)
     length, run = hypot(b[0] - a[0], b[1] - a[1]), run * camera.scale
     spacing = nice(SPACING / camera.scale) * camera.scale
-    first, last = lines.seen(surface, a, b)
+    first, last = lines.visible_part(surface, a, b)
     for i in range(ceil((first - run) / spacing), floor((last - run) / spacing) + 1):
         share = (i * spacing + run) / length
         at = a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share
@@ -89,11 +89,15 @@ def draw_flames(
             lines.fill(surface, color, camera.path(corners))
 
 
-def _extents(points: Sequence[XY], way: XY) -> tuple[XY, XY]:
+def _extents(points: Sequence[XY], direction: XY) -> tuple[XY, XY]:
     """Return the range of points along a direction, and across it at the far end [m]."""
-    along = [x * way[0] + y * way[1] for x, y in points]
+    along = [x * direction[0] + y * direction[1] for x, y in points]
     last = max(along) - 0.05 * (max(along) - min(along))
-    across = [y * way[0] - x * way[1] for (x, y), a in zip(points, along, strict=True) if a >= last]
+    across = [
+        y * direction[0] - x * direction[1]
+        for (x, y), a in zip(points, along, strict=True)
+        if a >= last
+    ]
     return (min(along), max(along)), (min(across), max(across))
 
 

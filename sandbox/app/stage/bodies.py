@@ -54,7 +54,7 @@ def draw_body(
 def _polygon(surface: pygame.Surface, color: Color, corners: Sequence[XY], rim: Color) -> None:
     """Draw a polygon with lit and shaded edges, if it is large enough for those."""
     xs, ys = zip(*corners, strict=True)
-    if min(max(xs) - min(xs), max(ys) - min(ys)) < SMALL or not lines.near(corners):
+    if min(max(xs) - min(xs), max(ys) - min(ys)) < SMALL or not lines.are_close(corners):
         lines.fill(surface, color, corners, rim)
         return
     lines.polygon(surface, color, corners)
@@ -83,7 +83,7 @@ def _disc(
     assert outline.radius is not None
     center = camera.to_screen(position)
     radius = max(outline.radius * camera.scale, LEAST)
-    if not lines.near((center,)) or radius > lines.FAR:
+    if not lines.are_close((center,)) or radius > lines.FAR:
         return
     if outline.hollow:
         width = max(round(radius / RIM), 2)
@@ -99,7 +99,7 @@ def draw_area(
 ) -> None:
     """Draw a sensor: a translucent area with a dashed outline."""
     corners = camera.path(outline.placed(position, angle))
-    if not lines.near(corners):
+    if not lines.are_close(corners):
         return
     (left, *_, right), (top, *_, bottom) = map(sorted, zip(*corners, strict=True))
     seen = pygame.Rect(left, top, right - left + 1, bottom - top + 1).clip(surface.get_rect())
@@ -118,14 +118,14 @@ def draw_crowd(
     """Draw one of very many bodies, as cheaply as possible."""
     if outline.radius is not None:
         center = camera.to_screen(position)
-        if lines.near((center,)):
+        if lines.are_close((center,)):
             radius = max(outline.radius * camera.scale, 1)
             pygame.draw.circle(surface, outline.color, center, radius)
         return
     corners = camera.path(outline.placed(position, angle))
-    if lines.near(corners) and outline.closed:
+    if lines.are_close(corners) and outline.closed:
         pygame.draw.polygon(surface, outline.color, corners)
-    elif lines.near(corners):
+    elif lines.are_close(corners):
         pygame.draw.lines(surface, outline.color, False, corners, 2)
 
 
@@ -141,7 +141,7 @@ def draw_heads(
             continue
         ux, uy = (b[0] - a[0]) / piece, (b[1] - a[1]) / piece
         wx, wy = uy * outline.lets, -ux * outline.lets
-        first, last = lines.seen(surface, a, b)
+        first, last = lines.visible_part(surface, a, b)
         for i in range(ceil((first - begun) / apart), ceil((last - begun) / apart)):
             along = begun + i * apart
             x, y = a[0] + ux * along - wx * (width / 2), a[1] + uy * along - wy * (width / 2)
@@ -149,9 +149,9 @@ def draw_heads(
         begun = (begun - piece) % apart
 
 
-def _wedge(surface: pygame.Surface, place: XY, way: XY) -> None:
+def _wedge(surface: pygame.Surface, place: XY, direction: XY) -> None:
     """Draw an arrowhead along a unit vector, with its tip just before a point."""
-    (x, y), (wx, wy) = place, way
+    (x, y), (wx, wy) = place, direction
     base = x - wx * WEDGE[0], y - wy * WEDGE[0]
     side = -wy * WEDGE[2], wx * WEDGE[2]
     corners = [

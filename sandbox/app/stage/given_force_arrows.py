@@ -124,7 +124,7 @@ class Forces:
                 color = theme.FORCES[i % len(theme.FORCES)]
                 start, end = camera.to_screen(arrow.tail), arrow.tip(camera, scale)
                 lines.arrow(surface, color, start, end, WIDTH)
-                if arrow.handles and lines.near((end,)):
+                if arrow.handles and lines.are_close((end,)):
                     pygame.draw.aacircle(surface, theme.TEXT, end, HANDLE, 2)
                 name = f"given {arrow.row} {i} {arrow.name}"
                 write_beside(surface, pen, arrow.text, start, end, labels, color, name)

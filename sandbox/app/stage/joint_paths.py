@@ -37,16 +37,16 @@ def between_all_ends(world: World) -> Mapping[str, list[XY]]:
 
 def path_of(
     camera: Camera, world: World, name: str, joint: Joint, angle_of: Callable[[str], float],
-    known: Mapping[str, list[XY]] = NONE,
+    known_paths: Mapping[str, list[XY]] = NONE,
 ) -> list[XY]:  # fmt: skip
     """Return the points through which a joint is drawn [m], given the angles of bodies [rad].
 
-    `known` are the points of anchors that are known already.
+    `known_paths` are the points of anchors that are known already.
     """
     if spring := world.scene.joints.springs.get(name):
         ends = spring.span(world.snapshot)
         return [(float(end.real), float(end.imag)) for end in ends]
-    path = known[name] if name in known else between_ends(world, name)
+    path = known_paths[name] if name in known_paths else between_ends(world, name)
     if isinstance(joint, Rail) and body_of(joint.ends[1]) is None:
         return _far_along(camera, world, joint, path[1])
     return joints.drawn(joint, path, world.values, angle_of)
@@ -55,8 +55,10 @@ def path_of(
 def _far_along(camera: Camera, world: World, rail: Rail, through: XY) -> list[XY]:
     """Return two points of a rail outside the picture [m]."""
     (x, y), seen = camera.center, max(camera.size) / camera.scale
-    way = complex(*evaluate(rail.direction, world.values))
-    way /= abs(way)
+    direction = complex(*evaluate(rail.direction, world.values))
+    direction /= abs(direction)
     start = complex(*through)
-    here = start + way * ((complex(x, y) - start) * way.conjugate()).real
-    return [(end.real, end.imag) for end in (here - seen * way, here + seen * way)]
+    position = start + direction * ((complex(x, y) - start) * direction.conjugate()).real
+    return [
+        (end.real, end.imag) for end in (position - seen * direction, position + seen * direction)
+    ]

@@ -55,17 +55,19 @@ def draw_joint(
 ) -> None:
     """Draw a joint through points of the plane [m]; a slack rope is dashed."""
     corners = camera.path(path)
-    if isinstance(joint, Rail) or lines.near(corners):  # a rail is long, and clipped as it is drawn
+    if isinstance(joint, Rail) or lines.are_close(
+        corners
+    ):  # a rail is long, and clipped as it is drawn
         LOOKS.get(type(joint), _plain)(surface, corners, slack)
         if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
-            for place, way in _faces(joint, corners):
-                lines.path(surface, theme.SPRING, _buffer(place, way), 2)
+            for place, direction in _faces(joint, corners):
+                lines.path(surface, theme.SPRING, _buffer(place, direction), 2)
 
 
 def draw_crowd(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
     """Draw one of many joints through points of the plane [m]: a line, or a dot, without pins."""
     corners = camera.path(path)
-    if not lines.near(corners):
+    if not lines.are_close(corners):
         return
     if dist(corners[0], corners[-1]) > 1:
         lines.path(surface, theme.SURFACE_EDGE, corners, 2)
@@ -76,7 +78,7 @@ def draw_crowd(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> N
 def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
     """Draw a joint that has not latched yet: a hook at each end, open towards the other."""
     begin, *_, end = camera.path(path)
-    if not lines.near((begin, end)):
+    if not lines.are_close((begin, end)):
         return
     for (x, y), other in ((begin, end), (end, begin)):
         ahead = atan2(other[1] - y, other[0] - x)
@@ -229,9 +231,9 @@ def _faces(joint: Stop | AngleStop, corners: Sequence[XY]) -> Iterator[tuple[XY,
             yield (cx + RAY * ux, cy + RAY * uy), (-sense * uy, sense * ux)
 
 
-def _buffer(place: XY, way: XY) -> list[XY]:
+def _buffer(place: XY, direction: XY) -> list[XY]:
     """Return the points of the short coil behind an elastic stop [px]."""
-    (x, y), (ux, uy) = place, way
+    (x, y), (ux, uy) = place, direction
     aside = (0.0, BUFFER, -BUFFER, BUFFER, -BUFFER, 0.0)
     return [
         (x + ux * BUFFER * i - uy * w, y + uy * BUFFER * i + ux * w) for i, w in enumerate(aside)
@@ -240,9 +242,9 @@ def _buffer(place: XY, way: XY) -> list[XY]:
 
 def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
     """Return the ends of a stop's range [m], given the points of the joint."""
-    way = complex(*evaluate(joint.direction, values))
+    direction = complex(*evaluate(joint.direction, values))
     start = complex(*path[1])
-    places = [start + way / abs(way) * limit(values) for limit in joint.range]
+    places = [start + direction / abs(direction) * limit(values) for limit in joint.range]
     return [(place.real, place.imag) for place in places]
 
 
@@ -251,8 +253,8 @@ def rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]
 
     The angle is that of the reference of the stops [rad].
     """
-    held = joint.ends[1]
-    at = complex(*evaluate(held.at, values)) if isinstance(held, Held) else 0j
+    second = joint.ends[1]
+    at = complex(*evaluate(second.at, values)) if isinstance(second, Held) else 0j
     angle += phase(-at) if at else 0.0
     found = [angle + limit(values) for limit in joint.range]
     return [center, *((center[0] + cos(a), center[1] + sin(a)) for a in found)]

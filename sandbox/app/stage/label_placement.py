@@ -17,10 +17,10 @@ class Labels:
     picture while no other place is better.
     """
 
-    def __init__(self, bounds: pygame.Rect, kept: dict[str, int] | None = None) -> None:
+    def __init__(self, bounds: pygame.Rect, last_places: dict[str, int] | None = None) -> None:
         self.bounds = bounds
         """The area for labels [px]."""
-        self._kept = {} if kept is None else kept
+        self._kept = {} if last_places is None else last_places
         self._taken: list[pygame.Rect] = []
         self._crossed: list[tuple[XY, XY]] = []
 

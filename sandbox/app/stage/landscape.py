@@ -55,7 +55,7 @@ class Relief:
             camera.to_screen((x, self._height(energy)))
             for x, energy in zip(self._x.tolist(), self._potential.tolist(), strict=True)
         ]
-        if not lines.near(points):
+        if not lines.are_close(points):
             return
         bottom = camera.to_screen((0.0, self._heights[0]))[1]
         hill = [*points, (points[-1][0], bottom), (points[0][0], bottom)]
@@ -86,7 +86,7 @@ class Relief:
         left, right = camera.path(
             (x, self._height(whole)) for x in (float(self._x[0]), float(self._x[-1]))
         )
-        if not lines.near((point, above, left, right)):
+        if not lines.are_close((point, above, left, right)):
             return
         lines.dashed(surface, theme.TOTAL, (left, right), 7, 5)
         lines.stroke(surface, theme.KINETIC, point, above, 3)

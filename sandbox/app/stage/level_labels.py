@@ -25,7 +25,7 @@ def draw_texts(surface: pygame.Surface, view: View) -> None:
     for label in view.world.level.view.labels:
         place, _ = _anchor(label.at, rows, world.values).position_and_arm(world.snapshot)
         pixel = view.camera.to_screen((float(place.real), float(place.imag)))
-        if lines.near((pixel,)):
+        if lines.are_close((pixel,)):
             text = view.pen.outlined(words(label.text))
             where = text.get_rect(center=(round(pixel[0]), round(pixel[1])))
             if where.colliderect(view.labels.bounds):  # one at the edge is not cut off

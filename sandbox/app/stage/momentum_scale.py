@@ -51,7 +51,7 @@ def expected(world: World) -> float:
     t = np.linspace(0.0, count_steps(world) * world.dt, PATH_POINTS)
     peak, mass = _peak(momenta(world, world.snapshot)), dict(heavy(world))
     together = np.zeros((len(t) - 1, 2))
-    known = 0
+    count = 0
     for row, name in mass.items():
         formulas = world.level.ghosts.get(name)
         where = places(formulas, world.values, t) if formulas else None
@@ -61,9 +61,9 @@ def expected(world: World) -> float:
         speed = np.hypot(velocity[:, 0], velocity[:, 1])
         velocity[speed > JUMP * np.percentile(speed, 95)] = 0.0
         momentum = float(world.scene.mass[row]) * velocity
-        together, known = together + momentum, known + 1
+        together, count = together + momentum, count + 1
         peak = max(peak, float(np.hypot(momentum[:, 0], momentum[:, 1]).max()))
-    if known == len(mass):
+    if count == len(mass):
         peak = max(peak, _peak(together[:, None]))
     return peak
 
@@ -75,17 +75,17 @@ def scale(owner: object, world: World, observed: Snapshot, place: str | None = N
     repeated. It may grow if no ghost gives the largest momentum in advance. It lives as long as its
     owner, such as a session. `observed` are the states so far: one snapshot, or a stack.
     """
-    kept = _scales.get(owner)
+    last = _scales.get(owner)
     values, disturbed = dict(world.values), world.disturbed
-    if kept is None or kept[:4] != (world.level, values, disturbed, place):
-        known = expected(world) if place is None else 0.0
-        largest = max(known, _peak(momenta(world, observed, place)))
-        kept = _Kept(world.level, values, disturbed, place, rounded_up(largest))
+    if last is None or last[:4] != (world.level, values, disturbed, place):
+        estimate = expected(world) if place is None else 0.0
+        largest = max(estimate, _peak(momenta(world, observed, place)))
+        last = _Kept(world.level, values, disturbed, place, rounded_up(largest))
     peak = _peak(momenta(world, world.snapshot, place))
-    if peak > kept.scale * (1 + 1e-9):
-        kept = kept._replace(scale=rounded_up(peak))
-    _scales[owner] = kept
-    return kept.scale
+    if peak > last.scale * (1 + 1e-9):
+        last = last._replace(scale=rounded_up(peak))
+    _scales[owner] = last
+    return last.scale
 
 
 def _peak(momentum: Array) -> float:

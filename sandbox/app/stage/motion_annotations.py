@@ -67,7 +67,7 @@ def draw_ghost(
     if outline.closed:
         corners.append(corners[0])
     lines.dashed(surface, color, corners, *line_styles.dash(lane or 0))
-    if lines.near(corners):
+    if lines.are_close(corners):
         x, y = camera.to_screen(position)
         pygame.draw.aacircle(surface, color, (x, y), 2)
 
@@ -118,7 +118,7 @@ def draw_components(
     """Draw a velocity's two components, and the rectangle that they span."""
     start = camera.to_screen(position)
     across, up = (velocity[0] * seconds * camera.scale, -velocity[1] * seconds * camera.scale)
-    if min(abs(across), abs(up)) < 2 or not lines.near((start,)):
+    if min(abs(across), abs(up)) < 2 or not lines.are_close((start,)):
         return
     x, y = start
     for color, end in ((theme.ACROSS, (x + across, y)), (theme.UPWARDS, (x, y + up))):
@@ -196,7 +196,7 @@ def _seen(camera: Camera, milestones: Sequence[Milestone]) -> Iterator[tuple[Mil
     """Yield the events near the picture, with their positions in it [px]."""
     for milestone in milestones:
         place = camera.to_screen(milestone.place)
-        if lines.near((place,)):
+        if lines.are_close((place,)):
             yield milestone, place
 
 
@@ -250,7 +250,7 @@ def _paths(camera: Camera, shown: Iterable[Placed]) -> Iterator[list[XY]]:
     """Yield the outlines of the bodies near the picture [px]."""
     for outline, position, angle in shown:
         path = camera.path(outline.placed(position, angle))
-        if lines.near(path):
+        if lines.are_close(path):
             yield path
 
 
@@ -260,7 +260,7 @@ def draw_names(
 ) -> None:  # fmt: skip
     """Write the names of bodies beside them; names without room are left out."""
     paths = [camera.path(outline.placed(position, angle)) for outline, position, angle in shown]
-    near = [lines.near(path) for path in paths]
+    near = [lines.are_close(path) for path in paths]
     boxes = [_box(path) if seen else pygame.Rect() for path, seen in zip(paths, near, strict=True)]
     for i, (outline, _, _) in enumerate(shown):
         if near[i]:

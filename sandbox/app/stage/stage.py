@@ -84,9 +84,9 @@ class Stage:
             for overlay in OVERLAYS:
                 if overlay.on is not None:
                     self.shown[overlay.name] = overlay.on(world.level)
-        kept = self.view.fastest if again and float(world.snapshot.t) else 0.0  # of the same run
+        fastest = self.view.fastest if again and float(world.snapshot.t) else 0.0  # of the same run
         self.view = View(world, self.camera, self._pen, self.shown, self.seen_from)
-        self.view.keep_scale(kept)
+        self.view.keep_scale(fastest)
         landscape = world.level.view.landscape
         self._relief = landscape and Relief(landscape, world)
         self._base_key = None
@@ -144,13 +144,13 @@ class Stage:
         self._draw_beside(surface, beside)
         level_labels.draw_observer(surface, view)
         level_labels.draw_texts(surface, view)
-        told = milestones if view.few and grounded else ()
-        motion_annotations.draw_milestones(surface, self.camera, told, view.labels)
+        marked = milestones if view.few and grounded else ()
+        motion_annotations.draw_milestones(surface, self.camera, marked, view.labels)
         for overlay in self._overlays:
             if overlay.draw is not None:
                 overlay.draw(surface, view)
-        if told:
-            self._write(surface, told)
+        if marked:
+            self._write(surface, marked)
 
     def _write(self, surface: pygame.Surface, milestones: Sequence[Milestone]) -> None:
         """Write the measured values, after the arrows, which cannot move out of the way."""
@@ -282,7 +282,7 @@ class Stage:
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
         """Draw the joints in front of bodies, and open ones, or else those behind bodies."""
         world, many = self.view.world, len(self.view.world.level.joints) > bodies.FEW
-        known = joint_paths.between_all_ends(world) if many and not in_front else joint_paths.NONE
+        paths = joint_paths.between_all_ends(world) if many and not in_front else joint_paths.NONE
         t, made = float(world.snapshot.t), world.scene.joints
         for row, (name, joint) in enumerate(world.level.joints.items()):
             drawn = isinstance(joint, joints.IN_FRONT) is in_front and not isinstance(joint, Wire)
@@ -294,7 +294,7 @@ class Stage:
                 continue
             if not drawn:
                 continue
-            path = joint_paths.path_of(self.camera, world, name, joint, self._angle_of, known)
+            path = joint_paths.path_of(self.camera, world, name, joint, self._angle_of, paths)
             if many:
                 joints.draw_crowd(surface, self.camera, path)
             else:

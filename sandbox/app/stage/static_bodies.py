@@ -83,7 +83,7 @@ def _hatch(surface: pygame.Surface, a: XY, b: XY, side: int, begun: float) -> fl
     if not length:
         return begun
     ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
-    first, last = lines.seen(surface, a, b)
+    first, last = lines.visible_part(surface, a, b)
     for i in range(ceil((first - begun) / HATCH), ceil((last - begun) / HATCH)):
         x, y = a[0] + ux * (begun + i * HATCH), a[1] + uy * (begun + i * HATCH)
         end = x + (uy + ux) * side * HATCH, y + (uy - ux) * side * HATCH

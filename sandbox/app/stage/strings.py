@@ -41,25 +41,25 @@ class Bend(NamedTuple):
 def draw_string(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
     """Draw a string through its ends and pegs [px]; a slack one is dashed."""
     bends = [_bend(*corners[i - 1 : i + 2]) for i in range(1, len(corners) - 1)]
-    way = [corners[0]]
+    path = [corners[0]]
     for peg, bend in zip(corners[1:-1], bends, strict=True):
         if bend:
-            before = sum(dist(a, b) for a, b in pairwise([*way, bend.arc[0]]))
+            before = sum(dist(a, b) for a, b in pairwise([*path, bend.arc[0]]))
             _wheel(surface, bend, before)
-        way += bend.arc if bend else [peg]
-    way.append(corners[-1])
-    draw_line(surface, way, slack)
+        path += bend.arc if bend else [peg]
+    path.append(corners[-1])
+    draw_line(surface, path, slack)
     eyes(surface, corners)
 
 
-def draw_line(surface: pygame.Surface, way: Sequence[XY], slack: bool) -> None:
+def draw_line(surface: pygame.Surface, path: Sequence[XY], slack: bool) -> None:
     """Draw a string along a way [px]: dashed if slack, else twisted, which shows how it moves."""
     if slack:
-        lines.dashed(surface, theme.STRING, way, 4, 4)
+        lines.dashed(surface, theme.STRING, path, 4, 4)
         return
-    lines.path(surface, theme.STRING, way, 2)
-    if theme.SHADING and dist(way[0], way[-1]) > LONG:
-        lines.dashed(surface, shading.darker(theme.STRING, TWIST), way, 4, 8)
+    lines.path(surface, theme.STRING, path, 2)
+    if theme.SHADING and dist(path[0], path[-1]) > LONG:
+        lines.dashed(surface, shading.darker(theme.STRING, TWIST), path, 4, 8)
 
 
 def eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
@@ -73,9 +73,9 @@ def _wheel(surface: pygame.Surface, bend: Bend, before: float) -> None:
     """Draw a wheel, turned as far as a length of string before it [px] tells."""
     pygame.draw.aacircle(surface, theme.RAISED, bend.center, bend.radius)
     (ax, ay), (bx, by), (x, y) = bend.arc[0], bend.arc[1], bend.center
-    way = copysign(1.0, (ax - x) * (by - y) - (ay - y) * (bx - x))
+    sense = copysign(1.0, (ax - x) * (by - y) - (ay - y) * (bx - x))
     for spoke in range(SPOKES):
-        turn = tau * spoke / SPOKES - way * before / bend.radius
+        turn = tau * spoke / SPOKES - sense * before / bend.radius
         rim = x + bend.radius * cos(turn), y + bend.radius * sin(turn)
         lines.stroke(surface, theme.AXIS, (x, y), rim, 2)
     pygame.draw.aacircle(surface, theme.SURFACE_EDGE, bend.center, bend.radius, 2)
@@ -103,14 +103,16 @@ def _bend(before: XY, peg: XY, after: XY) -> Bend | None:
 
 def _around(peg: XY, before: XY, after: XY) -> Bend | None:
     """Return the bend around a wheel on a peg; None if an end is too near for one."""
-    ways = [complex(x - peg[0], y - peg[1]) for x, y in (before, after)]
-    radius = min(WHEEL, SHARE * min(map(abs, ways)))
+    directions = [complex(x - peg[0], y - peg[1]) for x, y in (before, after)]
+    radius = min(WHEEL, SHARE * min(map(abs, directions)))
     if radius < 1:
         return None
-    side = -1 if (ways[0].conjugate() * ways[1]).imag < 0 else 1  # on which the second strand is
+    side = (
+        -1 if (directions[0].conjugate() * directions[1]).imag < 0 else 1
+    )  # on which the second strand is
     first, last = (
-        phase(way) - turn * side * acos(radius / abs(way))
-        for way, turn in zip(ways, (1, -1), strict=True)
+        phase(direction) - turn * side * acos(radius / abs(direction))
+        for direction, turn in zip(directions, (1, -1), strict=True)
     )
     turn = -side * ((-side * (last - first)) % tau)
     steps = [first + turn * i / ROUND for i in range(ROUND + 1)]

@@ -113,8 +113,8 @@ class View:
 
         It is a round number, which grows if necessary, so that the scale changes rarely.
         """
-        known = self._full.get(kind, 0.0)
-        self._full[kind] = known if now <= known else rounded_up(now)
+        full = self._full.get(kind, 0.0)
+        self._full[kind] = full if now <= full else rounded_up(now)
         return self._full[kind]
 
     def keep_scale(self, speed: float) -> None:

@@ -39,8 +39,8 @@ def draw_wires(surface: pygame.Surface, camera: Camera, world: World) -> list[Se
 
 def _spaced(points: Sequence[XY], apart: float) -> Sequence[XY]:
     """Return the first and the last point, and points between them at least so far apart [px]."""
-    kept = [points[0]]
+    spaced = [points[0]]
     for point in points[1:-1]:
-        if dist(point, kept[-1]) >= apart:
-            kept.append(point)
-    return [*kept, points[-1]]
+        if dist(point, spaced[-1]) >= apart:
+            spaced.append(point)
+    return [*spaced, points[-1]]

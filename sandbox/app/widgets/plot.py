@@ -77,8 +77,8 @@ class Scale(NamedTuple):
 def scale(values: Sequence[Array], start: float, end: float, room: float) -> Scale:
     """Return the scale for some values, with a fraction `room` of it left free at both ends."""
     finite = [v[np.isfinite(v)] for v in values]
-    known = np.concatenate(finite) if finite else np.zeros(0)
-    low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
+    numbers = np.concatenate(finite) if finite else np.zeros(0)
+    low, high = (float(numbers.min()), float(numbers.max())) if len(numbers) else (0.0, 1.0)
     least = max(1e-9 * max(abs(low), abs(high)), ROUNDING)
     spread = high - low if high - low > least else max(abs(high), 1.0)
     middle = (low + high) / 2
@@ -130,8 +130,8 @@ def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) 
     pixels = np.column_stack((span.pixels(series.x), up.pixels(series.y)))
     for part in _parts(pixels[np.isfinite(pixels).all(axis=1)], field):
         every = max(len(part) // MANY, 1)
-        kept = np.append(np.arange(0, len(part) - 1, every), len(part) - 1)
-        _draw_part(surface, series, [(x, y) for x, y in part[kept].tolist()])
+        indices = np.append(np.arange(0, len(part) - 1, every), len(part) - 1)
+        _draw_part(surface, series, [(x, y) for x, y in part[indices].tolist()])
 
 
 def _parts(pixels: Array, field: Array) -> Iterator[Array]:
@@ -151,13 +151,13 @@ def _draw_part(surface: pygame.Surface, series: Series, points: Sequence[XY]) ->
     if series.marked:
         for point in points:
             pygame.draw.aacircle(surface, series.color, point, DOT)
-    if series.sign is not None and points and lines.near(points):
+    if series.sign is not None and points and lines.are_close(points):
         _sign(surface, series.sign, series.color, points)
     if len(points) < 2:
         return
     if series.dashed:
         lines.dashed(surface, series.color, points)
-    elif lines.near(points):
+    elif lines.are_close(points):
         pygame.draw.aalines(surface, series.color, False, points)
     else:
         lines.path(surface, series.color, points, 1)
@@ -167,7 +167,7 @@ def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY
     """Draw markers at equal distances along a line's points."""
     count = SIGNED * line_styles.SIGNS
     for place in range(which % line_styles.SIGNS, count, line_styles.SIGNS):
-        line_styles.sign(surface, which, color, points[len(points) * place // count], 3)
+        line_styles.marker(surface, which, color, points[len(points) * place // count], 3)
 
 
 def _draw_heights(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:
@@ -199,8 +199,8 @@ def _tell_offset(
     """Write the offset of the numbers on the y axis, in a corner that no line crosses."""
     if not (offset := _offset(up)):
         return
-    told = pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE)
-    place, inside = told.get_rect(), field.inflate(-2 * GAP, 0)
+    text = pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE)
+    place, inside = text.get_rect(), field.inflate(-2 * GAP, 0)
     corners = [place.move_to(**{corner: getattr(inside, corner)}) for corner in CORNERS]
     pixels = [np.column_stack((span.pixels(each.x), up.pixels(each.y))) for each in series]
 
@@ -208,7 +208,7 @@ def _tell_offset(
         box = np.array([place.topleft, place.bottomright])
         return not any(any(True for _ in _parts(line, box)) for line in pixels)
 
-    surface.blit(told, next(filter(free, corners), corners[0]))
+    surface.blit(text, next(filter(free, corners), corners[0]))
 
 
 def _ticks_apart(span: Scale, size: Callable[[str], int], gap: int) -> Sequence[float]:

@@ -42,10 +42,10 @@ class Manager(UIManager):
         mouse = pygame.Rect(self.mouse_position, (1, 1))
         touched = [each for each in self._touched if each.hovered or getattr(each, "held", False)]
         near = {id(each) for each in (*touched, *mouse.collideobjectsall(every))}
-        asked = [each for each in every if type(each) not in _PLAIN or id(each) in near]
-        self._touched = [each for each in asked if type(each) in _PLAIN]
+        hovered = [each for each in every if type(each) not in _PLAIN or id(each) in near]
+        self._touched = [each for each in hovered if type(each) in _PLAIN]
         handled = False
-        for element in reversed(asked):
+        for element in reversed(hovered):
             if element.visible and element.check_hover(time_delta, handled):
                 self.hovering_any_ui_element = element is not self.root_container
                 handled = handled or self.hovering_any_ui_element

@@ -242,12 +242,12 @@ def _variation(found: Variation) -> str:
     if found.settings is None:
         if not found.gone:
             return say("without {effect}", effect=effect)
-        gone = ", ".join(map(say, found.gone))
-        return say("without {effect} (and so without {others})", effect=effect, others=gone)
-    said = ", ".join(f"{say(field)} {shown(value)}" for field, value in found.settings.items())
-    if not said:
+        removed = ", ".join(map(say, found.gone))
+        return say("without {effect} (and so without {others})", effect=effect, others=removed)
+    settings = ", ".join(f"{say(field)} {shown(value)}" for field, value in found.settings.items())
+    if not settings:
         return say("with {effect}", effect=effect)
-    return say("with {effect} ({settings})", effect=effect, settings=said)
+    return say("with {effect} ({settings})", effect=effect, settings=settings)
 
 
 def summary(found: Sequence[Difference], words: Say) -> Iterator[str]:

@@ -49,9 +49,9 @@ def used() -> Name:
 
 def of_system(environment: Mapping[str, str] = os.environ) -> Name:
     """Return the first of the system's languages that is available, else English."""
-    said = next(filter(None, (environment.get(name) for name in _VARIABLES)), "")
-    asked = (part.replace("-", "_").partition("_")[0].lower() for part in said.split(":"))
-    return next((name for part in asked for name in NAMES if name == part), ENGLISH)
+    setting = next(filter(None, (environment.get(name) for name in _VARIABLES)), "")
+    languages = (part.replace("-", "_").partition("_")[0].lower() for part in setting.split(":"))
+    return next((name for part in languages for name in NAMES if name == part), ENGLISH)
 
 
 def say(message: str, **values: object) -> str:
@@ -63,13 +63,13 @@ def say(message: str, **values: object) -> str:
     template = message
     if isinstance(message, Message):
         template, values = message.template, dict(message.values)
-    said = catalogue(_used).gettext(template) if template else ""
+    translated = catalogue(_used).gettext(template) if template else ""
     if not values:
-        return said
+        return translated
     values = {name: _said(value) for name, value in values.items()}
-    if _used != ENGLISH and ":," in said:
-        return _GROUPED.vformat(said, (), values)
-    return said.format(**values)
+    if _used != ENGLISH and ":," in translated:
+        return _GROUPED.vformat(translated, (), values)
+    return translated.format(**values)
 
 
 class _Grouped(Formatter):

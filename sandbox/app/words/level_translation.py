@@ -34,12 +34,12 @@ def shown(words: Iterable[str], source: str) -> Say:
     """Return the function that translates texts of a level's file into the current language."""
     if not _comes_along(source):
         return str
-    known = language.catalogue(language.used(), "levels")
+    catalogue = language.catalogue(language.used(), "levels")
     try:
-        said = {text: known.gettext(text) for text in words if text}
+        translated = {text: catalogue.gettext(text) for text in words if text}
     except LookupError:
         return str
-    return lambda text: said.get(text, text)
+    return lambda text: translated.get(text, text)
 
 
 @lru_cache(maxsize=512)
@@ -62,8 +62,8 @@ def name_in(used: language.Name, name: str) -> str:
     """
     words = words_of_name(name)
     number = name[len(name.rstrip("0123456789_")) :].replace("_", " ").strip()
-    said = language.catalogue(used, "levels").pgettext(NAME, words) if words else ""
-    return f"{said} {number}".strip()
+    translated = language.catalogue(used, "levels").pgettext(NAME, words) if words else ""
+    return f"{translated} {number}".strip()
 
 
 def title(check: Check, say: Say) -> str:

@@ -50,10 +50,12 @@ def read(typed: str, unit: str, values: Values) -> float:
 def _value(typed: str, values: Values) -> float:
     expression = Expression(typed.strip())
     for name in sorted(expression.names - values.keys()):
-        known = Message("there are no parameters")
+        known_parameters = Message("there are no parameters")
         if values:
-            known = Message("the parameters are {names}", names=", ".join(values))
-        raise ExpressionError("'{name}' is not known here; {known}", name=name, known=known)
+            known_parameters = Message("the parameters are {names}", names=", ".join(values))
+        raise ExpressionError(
+            "'{name}' is not known here; {known}", name=name, known=known_parameters
+        )
     return expression(values)
 
 

@@ -164,12 +164,12 @@ def experiment(
         "until": until, "draws": draws, "method": method, "seed": seed,
         "duration": duration, "rate": rate, "scheme": scheme,
     }  # fmt: skip
-    given = {name: value for name, value in others.items() if value is not None}
-    asked = ExperimentRequest(subject, vary or [], measure or [], set_ or [], given)
+    options = {name: value for name, value in others.items() if value is not None}
+    request = ExperimentRequest(subject, vary or [], measure or [], set_ or [], options)
     if fit_ or data:
-        fit(asked, fit_ or [], data, output)
+        fit(request, fit_ or [], data, output)
     else:
-        experiment(asked, output, jobs, cluster)
+        experiment(request, output, jobs, cluster)
 
 
 def replay(file: Annotated[Path, argument("FILE", "The saved run.")]) -> None:

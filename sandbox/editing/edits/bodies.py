@@ -141,7 +141,7 @@ def _declaring(text: str, level: Level) -> list[str]:
         missing["gravity"] = GRAVITY
     if level.effects.contact is None and (fresh or len(level.bodies) == 1):
         missing["contact"] = {}
-    declared = [(("effects", name), said) for name, said in missing.items()]
+    declared = [(("effects", name), settings) for name, settings in missing.items()]
     return [put_all(text, dict(declared[:count])) for count in range(len(declared), 0, -1)]
 
 

@@ -38,7 +38,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
     joints = [
         name
         for name, joint in level.joints.items()
-        if (held := set(bodies_of(joint))) and held <= set(names)
+        if (joined := set(bodies_of(joint))) and joined <= set(names)
     ]
     parts = [level.bodies[name] for name in names], [level.joints[name] for name in joints]
     used = names_in((*parts[0], *parts[1], *level.constants.values()))
@@ -104,16 +104,16 @@ def _new_names(source: Level, level: Level) -> Mapping[str, str]:
 
 def _numbers_in_conflict(source: Level, level: Level) -> Mapping[str, str]:
     """Return new names for parameters and constants that are something else in a level."""
-    known = level.parameters.keys() | level.constants.keys()
+    own_names = level.parameters.keys() | level.constants.keys()
     numbers = (*source.parameters, *source.constants)
-    others = {name for name in numbers if name in known and not _same(name, source, level)}
+    others = {name for name in numbers if name in own_names and not _same(name, source, level)}
     while using := {
         name
         for name, formula in source.constants.items()
-        if name in known and name not in others and not others.isdisjoint(formula.names_written)
+        if name in own_names and name not in others and not others.isdisjoint(formula.names_written)
     }:
         others |= using
-    taken = known | source.parameters.keys() | source.constants.keys() | RESERVED
+    taken = own_names | source.parameters.keys() | source.constants.keys() | RESERVED
     names = dict[str, str]()
     for name in sorted(others):
         stem = name.rstrip("0123456789")[:28]

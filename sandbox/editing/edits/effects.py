@@ -35,13 +35,13 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
             name=effect,
             hint=suggestion(effect, EFFECTS, longest=20),
         )
-    said = getattr(level.effects, effect)
-    if said is not None and not isinstance(said, tuple):
+    declared = getattr(level.effects, effect)
+    if declared is not None and not isinstance(declared, tuple):
         raise SandboxError("the level already declares '{effect}'", effect=effect)
     if settings is None and effect not in DEFAULTS:
         raise SandboxError("'{effect}' has to be told what it is", effect=effect)
     fields = settings if settings is not None else _trial(effect)
-    index = (len(said or ()),) if _several(effect) else ()
+    index = (len(declared or ()),) if _several(effect) else ()
     form = _with_coefficients(put(text, ("effects", effect, *index), fields), level, effect)
     lacking = (each for each in BESIDE if each not in level.effects.declared)
     return accepted(form, *(put(form, ("effects", each), {}) for each in lacking))
@@ -86,7 +86,7 @@ def _several(effect: str) -> bool:
 
 def _trial(effect: str) -> dict[str, Any]:
     """Return the default settings of an effect, without a coefficient, which the bodies have."""
-    return {key: said for key, said in DEFAULTS[effect].items() if key != "coefficient"}
+    return {key: value for key, value in DEFAULTS[effect].items() if key != "coefficient"}
 
 
 def _with_coefficients(text: str, level: Level, effect: str) -> str:

@@ -53,9 +53,9 @@ def set_field(text: str, path: Path, typed: str) -> str:
     if path[0] == "bodies" and path[2:] == ("type",) and not before:
         changed += [_of_type(changed[0], path, text)]
     found = [_without_what_is_unused(one, _mistakes(one)) for one in changed]
-    known = {(mistake.path, mistake.rule) for mistake in before}
+    old_mistakes = {(mistake.path, mistake.rule) for mistake in before}
     for one, mistakes in found:
-        if all((mistake.path, mistake.rule) in known for mistake in mistakes):
+        if all((mistake.path, mistake.rule) in old_mistakes for mistake in mistakes):
             return one
     if typed.strip() and not before and (meant := _with_effect(text, path)) != text:
         return set_field(meant, path, typed)
@@ -173,9 +173,9 @@ def _mistakes(text: str) -> tuple[Mistake, ...]:
     return ()
 
 
-def _parameter(said: Json, expression: Expression, name: str) -> tuple[float, str, str]:
+def _parameter(number: Json, expression: Expression, name: str) -> tuple[float, str, str]:
     """Return the value of a parameter, the formula that uses it, and its unit."""
-    degrees = _DEGREES.fullmatch(said) if isinstance(said, str) else None
+    degrees = _DEGREES.fullmatch(number) if isinstance(number, str) else None
     value = float(degrees[1]) if degrees else expression({})
     formula = f"{name}*deg" if degrees else name
     if value < 0:

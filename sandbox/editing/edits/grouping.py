@@ -25,10 +25,10 @@ def group(text: str, level: Level, names: Collection[str]) -> str:
 
 def ungroup(text: str, level: Level, names: Collection[str]) -> str:
     """Return a level without the groups of some bodies; raise `SandboxError` if there are none."""
-    kept = [list(one) for one in level.view.together if not set(one) & set(names)]
-    if len(kept) == len(level.view.together):
+    groups = [list(one) for one in level.view.together if not set(one) & set(names)]
+    if len(groups) == len(level.view.together):
         raise SandboxError("none of these bodies is in a group")
-    return _with(text, level, kept)
+    return _with(text, level, groups)
 
 
 def group_of(level: Level, name: str) -> tuple[str, ...]:
@@ -38,13 +38,13 @@ def group_of(level: Level, name: str) -> tuple[str, ...]:
 
 def _left(level: Level, names: Collection[str]) -> list[list[str]]:
     """Return the groups that remain after some bodies leave; a single body is no group."""
-    kept = ([name for name in one if name not in names] for one in level.view.together)
-    return [one for one in kept if len(one) > 1]
+    groups = ([name for name in one if name not in names] for one in level.view.together)
+    return [one for one in groups if len(one) > 1]
 
 
 def _with(text: str, level: Level, groups: list[list[str]]) -> str:
     """Return a level with exactly these groups."""
     if groups:
-        kept: list[Json] = [list[Json](one) for one in groups]
-        return put(text, PLACE, kept)
+        together: list[Json] = [list[Json](one) for one in groups]
+        return put(text, PLACE, together)
     return remove(text, PLACE) if level.view.together else text

@@ -43,9 +43,9 @@ def mirror(text: str, level: Level, names: Collection[str], axis: Literal["x", "
     for name in names:
         changes |= mirror.body(("bodies", name), level.bodies[name])
     for name, joint in level.joints.items():
-        if (held := set(bodies_of(joint))) and held <= set(names):
+        if (joined := set(bodies_of(joint))) and joined <= set(names):
             changes |= mirror.joint(("joints", name), joint)
-        elif held:
+        elif joined:
             changes |= mirror.joint_points(("joints", name), joint, names)
     return attached(put_all(text, changes), level, names)
 
@@ -66,8 +66,8 @@ class _Mirror:
         if _is_given(body.velocity[self._index]):
             changes[*path, "velocity"] = self._flipped(body.velocity)
         for field in ("angle", "angular_velocity"):
-            if _is_given(said := getattr(body, field)):
-                changes[*path, field] = negative(said)
+            if _is_given(value := getattr(body, field)):
+                changes[*path, field] = negative(value)
         if body.one_way and not isinstance(body.shape, Arc):  # an arc keeps its sense
             changes[*path, "one_way"] = "left" if body.one_way == "right" else "right"
         return changes | self._shape((*path, "shape"), body)

@@ -47,8 +47,10 @@ def shift(text: str, level: Level, displacements: Mapping[str, complex]) -> str:
         if by:
             changes["bodies", name, "position"] = shifted_point(level.bodies[name].position, by)
     for name, joint in level.joints.items():
-        if isinstance(joint, Wire) and (way := displacements.get(body_of(joint.bead) or "")):
-            changes["joints", name, "curve"] = shifted_point(joint.curve, way)
+        if isinstance(joint, Wire) and (
+            displacement := displacements.get(body_of(joint.bead) or "")
+        ):
+            changes["joints", name, "curve"] = shifted_point(joint.curve, displacement)
     return attached(put_all(text, changes), level, displacements)
 
 
@@ -87,9 +89,9 @@ def distribute(text: str, level: Level, names: Sequence[str], axis: Literal["x",
     ordered = sorted(spans, key=lambda name: sum(spans[name]))
     low, high = min(span[0] for span in spans.values()), max(span[1] for span in spans.values())
     gap = (high - low - sum(b - a for a, b in spans.values())) / max(len(ordered) - 1, 1)
-    ways = dict[str, complex]()
+    displacements = dict[str, complex]()
     for name in ordered:
         a, b = spans[name]
-        ways[name] = (low - a) * unit
+        displacements[name] = (low - a) * unit
         low += b - a + gap
-    return shift(text, level, ways)
+    return shift(text, level, displacements)

@@ -31,10 +31,10 @@ RANGES = ((5, 60), (0, 90), (0, 175))
 
 def peg_of(level: Level, name: str) -> complex | None:
     """Return the point of the plane [m] from which a body hangs on a rod or rope, or None."""
-    held = [joint for joint in level.joints.values() if name in bodies_of(joint)]
-    if len(held) != 1 or not isinstance(held[0], Rod | Rope) or held[0].length is not None:
+    joints = [joint for joint in level.joints.values() if name in bodies_of(joint)]
+    if len(joints) != 1 or not isinstance(joints[0], Rod | Rope) or joints[0].length is not None:
         return None
-    pegs = [end for end in held[0].ends if end != name]
+    pegs = [end for end in joints[0].ends if end != name]
     if len(pegs) != 1 or body_of(pegs[0]) or names_in((pegs[0], level.bodies[name].position)):
         return None
     return end_position(pegs[0], level.bodies, level.defaults)
@@ -51,16 +51,16 @@ def swing(text: str, level: Level, name: str) -> str:
         raise SandboxError("'{name}' does not hang from a point of the plane", name=name)
     where = placed(level)
     vector = where[name].center - peg
-    turned = degrees(phase(vector * 1j))
-    if abs(turned) < STRAIGHT:
-        turned = _free_side(where, name, peg, abs(vector))
+    new_angle = degrees(phase(vector * 1j))
+    if abs(new_angle) < STRAIGHT:
+        new_angle = _free_side(where, name, peg, abs(vector))
     angle = parameter_name(level, ("bodies", name, "angle"))
     sin, cos = (f"{function}({angle}*deg)" for function in ("sin", "cos"))
     formulas: list[Json] = [
-        sum_of({"": peg.real, sin: copysign(abs(vector), turned)}),
+        sum_of({"": peg.real, sin: copysign(abs(vector), new_angle)}),
         sum_of({"": peg.imag, cos: -abs(vector)}),
     ]
-    value = plain(rounded(abs(turned)))
+    value = plain(rounded(abs(new_angle)))
     parameters: list[dict[str, Json]] = [
         {"value": value, "min": low, "max": high, "unit": "deg", "label": f"angle of {name}"}
         for low, high in (*RANGES, (value, value))
@@ -73,12 +73,12 @@ def swing(text: str, level: Level, name: str) -> str:
 
 def _free_side(where: Mapping[str, PlacedBody], name: str, peg: complex, length: float) -> float:
     """Return the angle of a side without obstacles, preferably the left [deg]."""
-    for turned in (-ASIDE, ASIDE):
-        vector = peg + rect(length, turned * pi / 180 - pi / 2) - where[name].center
+    for angle in (-ASIDE, ASIDE):
+        vector = peg + rect(length, angle * pi / 180 - pi / 2) - where[name].center
         if all(
             distance(where[name], other, vector) > 0
             for other in where.values()
             if other.name != name
         ):
-            return turned
+            return angle
     return -ASIDE

@@ -82,8 +82,8 @@ def wrap(text: str, level: Level, names: Sequence[str]) -> EditResult:
     if level.stepping.accuracy is None and level.stepping.rate < RATE:
         values["stepping", "rate"] = RATE
     rods = list[str]()
-    held = [left, *knots, right]
-    for ends in pairwise(held):
+    held_points = [left, *knots, right]
+    for ends in pairwise(held_points):
         rods.append(new_name("rod", level, rods))
         values["joints", rods[-1]] = {"type": "rod", "ends": list(ends)}
     return EditResult(accepted(_standing(put_all(text, values), drum)), tuple(knots))
@@ -105,18 +105,18 @@ def _standing(text: str, drum: str) -> str:
     level = parse(text)
     if level.effects.contact is None:
         text = declare(text, level, "contact")
-    held = any(drum in bodies_of(joint) for joint in level.joints.values())
-    return text if held else set_field(text, ("bodies", drum, "type"), "static")
+    has_joint = any(drum in bodies_of(joint) for joint in level.joints.values())
+    return text if has_joint else set_field(text, ("bodies", drum, "type"), "static")
 
 
 def _knots(drum: PlacedBody, left: PlacedBody, right: PlacedBody) -> list[complex]:
     """Return the positions of the knots, between the two points of tangency on the drum [m]."""
     radius = (1 + THICK) * drum.radius
-    ways = [end.center - drum.center for end in (left, right)]
-    if any(abs(way) <= radius for way in ways):
+    offsets = [end.center - drum.center for end in (left, right)]
+    if any(abs(offset) <= radius for offset in offsets):
         raise SandboxError("the ends of the rope lie within '{name}'", name=drum.name)
-    begin = phase(ways[0]) - acos(radius / abs(ways[0]))
-    end = phase(ways[1]) + acos(radius / abs(ways[1]))
+    begin = phase(offsets[0]) - acos(radius / abs(offsets[0]))
+    end = phase(offsets[1]) + acos(radius / abs(offsets[1]))
     wrapped = (begin - end) % (2 * pi)
     count = max(ceil(wrapped / STEP), 1)
     return [drum.center + rect(radius, begin - wrapped * i / count) for i in range(count + 1)]

@@ -172,8 +172,8 @@ def _tied(
     """Return the changes of the points of the plane to which only moved bodies are tied."""
     values, changes = next(iter(where.values())).values, Changes()
     for name, joint in level.joints.items():
-        held = set(bodies_of(joint))
-        if not held or not held <= set(moved):
+        joined = set(bodies_of(joint))
+        if not joined or not joined <= set(moved):
             continue
         for step, end in ends_of(joint):
             if body_of(end) is None and isinstance(end, tuple) and not names_in(end):

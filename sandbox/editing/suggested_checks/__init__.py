@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 from sandbox.editing.cleanup_after_edit import without_meaning
-from sandbox.editing.edits.checks import add_checks
+from sandbox.editing.edits.checks_and_ghosts import add_checks
 from sandbox.editing.suggested_checks import (
     capstan,
     collision,
@@ -62,7 +62,7 @@ def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
     """Return the known set-ups in a level."""
     crowd = sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING
     scene = Scene(level, level.defaults, thorough)
-    return [one for known in (_OF_MANY if crowd else _KNOWN) for one in known(scene)]
+    return [one for recogniser in (_OF_MANY if crowd else _KNOWN) for one in recogniser(scene)]
 
 
 def with_updated_checks(before: Level, text: str) -> str:
@@ -81,8 +81,8 @@ def with_updated_checks(before: Level, text: str) -> str:
         new = {check["quantity"]: check for one in now for check in one.checks}
         checks = json.loads(text).get("checks", [])
         for index in reversed(range(len(checks))):
-            said, place = checks[index], ("checks", index)
-            if said in old and said != (other := new.get(said["quantity"])):
+            old_check, place = checks[index], ("checks", index)
+            if old_check in old and old_check != (other := new.get(old_check["quantity"])):
                 text = put(text, place, other) if other else without_meaning(remove(text, place))
     return text
 

@@ -81,15 +81,19 @@ def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     assert scene.gravity_y is not None
     g, (m1, m2) = opposite(scene.gravity_y), [scene.mass(name) for name in rope.ends]
     angle = "pi" if abs(rope.wrap - pi) < 10**-DIGITS else repr(plain(round(rope.wrap, DIGITS)))
-    held = m1 if mu == "0" else f"{m1}*exp({mu}*{angle})"
-    excess = Expression(f"{m2}/({held}) - 1")
+    holding_mass = m1 if mu == "0" else f"{m1}*exp({mu}*{angle})"
+    excess = Expression(f"{m2}/({holding_mass}) - 1")
     rough = mu != "0"
     if rough and abs(excess(scene.known_values)) < EDGE:
         return
     slips = not rough or excess(scene.known_values) > 0
-    fields = _slipping(rope, m1, m2, held, g) if slips else _holding(rope, m1, m2, g)
-    side = f"{m2} > {1 + EDGE}*{held}" if slips else f"{m2} < {1 - EDGE}*{held} and {m1} <= {m2}"
-    until = min(_until(each, rope, held) for each in scene.everywhere)
+    fields = _slipping(rope, m1, m2, holding_mass, g) if slips else _holding(rope, m1, m2, g)
+    side = (
+        f"{m2} > {1 + EDGE}*{holding_mass}"
+        if slips
+        else f"{m2} < {1 - EDGE}*{holding_mass} and {m1} <= {m2}"
+    )
+    until = min(_until(each, rope, holding_mass) for each in scene.everywhere)
     more: dict[str, Any] = {
         "tolerance": _close(scene, rope),
         "at": instant(until) if slips else None,
@@ -102,13 +106,16 @@ def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     yield Suggestion("capstan", (*rope.ends, rope.drum), checks)
 
 
-def _slipping(rope: Rope, m1: str, m2: str, held: str, g: str) -> list[Told]:
+def _slipping(rope: Rope, m1: str, m2: str, holding_mass: str, g: str) -> list[Told]:
     """Return the checks of a rope that slips."""
     (light, heavy), (weak, strong) = rope.ends, rope.rods
-    a, pull = f"{g}*({m2} - {held})/({m2} + {held})", f"2*{m2}*{g}/({m2} + {held})"
+    a, pull = (
+        f"{g}*({m2} - {holding_mass})/({m2} + {holding_mass})",
+        f"2*{m2}*{g}/({m2} + {holding_mass})",
+    )
     return [
         ("acceleration", f"{heavy}.acceleration.y", f"-{a}", g),
-        (f"pull on {heavy}", f"{strong}.tension", f"{pull}*{held}", None),
+        (f"pull on {heavy}", f"{strong}.tension", f"{pull}*{holding_mass}", None),
         (f"pull on {light}", f"{weak}.tension", f"{pull}*{m1}", None),
     ]
 
@@ -176,10 +183,10 @@ def _lies(scene: Scene, knots: Sequence[str], drum: str) -> bool:
     )
 
 
-def _until(scene: Scene, rope: Rope, held: str) -> float:
+def _until(scene: Scene, rope: Rope, holding_mass: str) -> float:
     """Return a time before which nothing is met, and the rope has hardly slipped [s]."""
     g, (_, m2) = opposite(scene.gravity_y or Expression("0")), (scene.mass(n) for n in rope.ends)
-    a = Expression(f"{g}*({m2} - {held})/({m2} + {held})")(scene.known_values)
+    a = Expression(f"{g}*({m2} - {holding_mass})/({m2} + {holding_mass})")(scene.known_values)
     if not a:
         return LATEST
     free = (

@@ -77,7 +77,9 @@ def side(own: Core, core: Core, radius: float) -> Gap:
     found = gap(own, core, radius)
     if found.distance > 0:
         return found
-    back, forth = (gap(displaced(own, way * found.normal), core, radius) for way in (-HAIR, HAIR))
+    back, forth = (
+        gap(displaced(own, shift * found.normal), core, radius) for shift in (-HAIR, HAIR)
+    )
     return back if back.distance > 0 or found.distance < 0 else forth
 
 

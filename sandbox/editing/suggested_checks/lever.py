@@ -128,8 +128,8 @@ def _lying(scene: Scene, plank: str) -> list[str]:
     touching = [name for name in level.bodies if name != plank and _touch(scene, plank, name)]
     for name in touching:
         others = (one for one in level.bodies if one not in (plank, name))
-        held = scene.joints[name] or level.bodies[name].type != "dynamic"
-        if held or not _lies(scene.where[name], board):
+        is_held = scene.joints[name] or level.bodies[name].type != "dynamic"
+        if is_held or not _lies(scene.where[name], board):
             return []
         if any(_touch(scene, name, one) for one in others):
             return []
@@ -195,9 +195,9 @@ def _stays(scene: Scene, weight: Weight, plank: str, alpha: float) -> bool:
     if presses < PRESSED * g:
         return False
     rubs = Expression(friction(scene, weight.name, plank) or "0")(scene.known_values)
-    here, board = scene.where[weight.name], scene.where[plank]
-    base = sorted(point.real for point in _under(here, board).points)
-    high = here.center.imag - board.bounds[1].imag  # above the surface, where friction acts
-    at = here.center.real + alpha * (moment / mass + high * up) / presses
-    held = abs(alpha * up) <= STICKS * rubs * presses
-    return held and base[0] - FLAT <= at <= base[-1] + FLAT
+    placed, board = scene.where[weight.name], scene.where[plank]
+    base = sorted(point.real for point in _under(placed, board).points)
+    high = placed.center.imag - board.bounds[1].imag  # above the surface, where friction acts
+    at = placed.center.real + alpha * (moment / mass + high * up) / presses
+    sticks = abs(alpha * up) <= STICKS * rubs * presses
+    return sticks and base[0] - FLAT <= at <= base[-1] + FLAT

@@ -40,10 +40,10 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
     if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
     springs = [joint for joint in scene.level.joints.values() if isinstance(joint, Spring)]
-    held = [(joint, bob) for joint in springs if (bob := _held_by(scene, joint))]
-    for joint, bob in held:
+    hung = [(joint, bob) for joint in springs if (bob := _held_by(scene, joint))]
+    for joint, bob in hung:
         yield from _along(scene, joint, bob)
-    for joint, bob in held if scene.gravity_y is not None and len(scene.dynamic) == 1 else ():
+    for joint, bob in hung if scene.gravity_y is not None and len(scene.dynamic) == 1 else ():
         yield from _aside(scene, joint, bob)
 
 

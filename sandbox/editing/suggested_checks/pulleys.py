@@ -81,18 +81,18 @@ def _of(scene: Scene, name: str, carried: Sequence[Carried], until: float) -> Su
     """Return the suggestion for bodies on a string that meet nothing before a time [s]."""
     assert scene.gravity_y is not None
     g, upright = opposite(scene.gravity_y), _upright(scene, scene.level.joints[name])
-    tension, moves = _forms(carried, g)
+    tension, acceleration = _forms(carried, g)
     at = None if until >= scene.duration else instant(SAFE * until)
     more: dict[str, Any] = {"at": at if upright else 0, "tolerance": EXACT if upright else NEAR}
-    fields = list(zip(carried, moves, strict=False))[: 1 if _is_atwood(carried) else None]
+    fields = list(zip(carried, acceleration, strict=False))[: 1 if _is_atwood(carried) else None]
     checks = [
         check("acceleration", f"{one.name}.acceleration.y", form, scale=g, **more)
         for one, form in fields
     ]
     checks.append(check("tension", f"{name}.tension", tension, **more))
-    if upright and moves:
+    if upright and acceleration:
         speed = f"{carried[0].name}.velocity.y"
-        checks.append(check("speed", speed, f"{moves[0]}*t", scale=1, **more))
+        checks.append(check("speed", speed, f"{acceleration[0]}*t", scale=1, **more))
     setup: Setup = "Atwood machine" if _is_atwood(carried) and upright else "block and tackle"
     return Suggestion(setup, tuple(one.name for one in carried), tuple(checks))
 
@@ -128,8 +128,8 @@ def _parts(scene: Scene, joint: Joint) -> list[Part]:
 
 def _upright(scene: Scene, joint: Joint) -> bool:
     """Return whether all parts that end at dynamic bodies are vertical."""
-    moves = set(scene.dynamic)
-    led = (part for part in _parts(scene, joint) if moves & {body_of(end) for end in part.ends})
+    movable = set(scene.dynamic)
+    led = (part for part in _parts(scene, joint) if movable & {body_of(end) for end in part.ends})
     return all(abs(part.direction.real) <= STRAIGHT for part in led)
 
 
@@ -166,11 +166,11 @@ def _one(scene: Scene, joint: Joint, name: str) -> Carried | None:
     return Carried(name, round(pull.imag, ROUND), f"({masses})" if below else masses, below)
 
 
-def _below(scene: Scene, name: str, held: Joint) -> tuple[str, ...] | None:
+def _below(scene: Scene, name: str, upper_joint: Joint) -> tuple[str, ...] | None:
     """Return the bodies that hang straight below a held body; None if it has other joints."""
     found = list[str]()
     for joint in (scene.level.joints[other] for other in scene.joints[name]):
-        if joint is held:
+        if joint is upper_joint:
             continue
         hung = _hung(scene, joint, name)
         below = _below(scene, hung, joint) if hung else None
@@ -196,9 +196,10 @@ def _hung(scene: Scene, joint: Joint, name: str) -> str | None:
 
 def _until(scene: Scene, joint: Joint, carried: Sequence[Carried]) -> float:
     """Return the time at which a body reaches a peg or another body [s]."""
-    _, moves = _forms(carried, opposite(scene.gravity_y) if scene.gravity_y else "0")
+    _, acceleration = _forms(carried, opposite(scene.gravity_y) if scene.gravity_y else "0")
     rises = {
-        one.name: Expression(a)(scene.known_values) for one, a in zip(carried, moves, strict=False)
+        one.name: Expression(a)(scene.known_values)
+        for one, a in zip(carried, acceleration, strict=False)
     }
     until = [scene.duration]
     for part in _parts(scene, joint):

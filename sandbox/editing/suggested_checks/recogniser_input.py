@@ -88,16 +88,16 @@ class Scene:
     @cached_property
     def joints(self) -> Mapping[str, list[str]]:
         """The names of the joints that hold each body."""
-        held: dict[str, list[str]] = {name: [] for name in self.level.bodies}
+        joints: dict[str, list[str]] = {name: [] for name in self.level.bodies}
         for name, joint in self.level.joints.items():
             for body in set(bodies_of(joint)):
-                held[body].append(name)
-        return held
+                joints[body].append(name)
+        return joints
 
     def held_by(self, joint: Rod | Rope | Spring) -> str | None:
         """Return the dynamic body that a joint, and no other, ties by its centre to the plane."""
-        held = [end for end in joint.ends if body_of(end)]
-        if len(held) != 1 or not isinstance(bob := held[0], str):
+        joined = [end for end in joint.ends if body_of(end)]
+        if len(joined) != 1 or not isinstance(bob := joined[0], str):
             return None
         return bob if bob in self.dynamic and len(self.joints[bob]) == 1 else None
 

@@ -119,9 +119,9 @@ class Ledger:
             if number or not step.divided_drift:
                 self._attribution.begin()
             kick = moment._replace(length=duration, mean_velocity=(start + end) / 2)
-            held = forces._replace(tension=tension)
+            joint_forces = forces._replace(tension=tension)
             self._attribution.book(
-                step, kick, end - start, held, contacts, None if stuck else slack
+                step, kick, end - start, joint_forces, contacts, None if stuck else slack
             )
             start, slack = end, slack | (tension <= 0)
         self._joint_forces = forces, self._joint_forces[0]
@@ -299,9 +299,9 @@ class Ledger:
         """Leave the path foreseen for the last drift, since joints changed at its start."""
         dt = self._step.dt
         self._end = before_landings(self._end, divided, self._step.t - dt, dt)
-        held = pulls_of(self._scene.joints, len(self._scene.inertia))
-        last, self._joint_forces = self._joint_forces[0], (held, self._joint_forces[0])
-        self._was_slack = held.among(last.numbered(self._was_slack))
+        joint_pulls = pulls_of(self._scene.joints, len(self._scene.inertia))
+        last, self._joint_forces = self._joint_forces[0], (joint_pulls, self._joint_forces[0])
+        self._was_slack = joint_pulls.among(last.numbered(self._was_slack))
 
     def _set_mid_drift(self, kick_velocity: Array, energy_shift: float) -> None:
         """Set the motion in the middle of the last drift as if the drift had not been cut.

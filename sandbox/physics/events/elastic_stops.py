@@ -109,8 +109,8 @@ class Bounces:
     def first(self, part: Part) -> tuple[int, float] | None:
         """Return the side reached first in a part of a drift, and when [s]; None if none is."""
         states = part.state(0.0), part.state(part.duration)
-        now, then = (self._beyond(pose) for pose, _ in states)
-        meets = then > 0
+        now, later = (self._beyond(pose) for pose, _ in states)
+        meets = later > 0
         if not meets.any():
             return None
         rates = [self._rate(pose, velocity) for pose, velocity in states]
@@ -160,9 +160,11 @@ class Bounces:
         if not self._restitution[side]:
             return True
         pose, velocity = part.state(wait)
-        comes = self._rate(pose, velocity)[side]
-        pressed = self._rate(pose, part.acceleration)[side]
-        return bool(2 * self._restitution[side] * comes <= pressed * self._dt)
+        approach_speed = self._rate(pose, velocity)[side]
+        approach_acceleration = self._rate(pose, part.acceleration)[side]
+        return bool(
+            2 * self._restitution[side] * approach_speed <= approach_acceleration * self._dt
+        )
 
     def respond(self, side: int, t: float, *, rests: bool) -> Jolt:
         """Let a body that reaches a side at a time t [s] bounce off it, or stay if it rests.

@@ -15,7 +15,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
 from sandbox.physics.contacts.impacts.contact_kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.impacts.pile_impacts import pushes
-from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum
@@ -102,18 +102,23 @@ class _Points(NamedTuple):
     belt_slip: Array
     """(k,), the slip due to running belts [m/s]."""
 
+    def of_rows(self, rows: Integers) -> "_Points":
+        """Return some of the rows, with the Delassus matrix of all."""
+        return self._replace(
+            jacobian=self.jacobian[rows],
+            response=self.response[rows],
+            belt_slip=self.belt_slip[rows],
+        )
+
 
 class Collision:
     """Computes how the n bodies of a scene bounce off each other, in steps of dt [s]."""
 
     def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
         self._coefficients, self._dt = coefficients, dt
-        self._running = surfaces(scene.bodies.values())
-        self._mass, self._inertia, self._inverse_mass = (
-            scene.mass,
-            scene.inertia,
-            scene.inverse_mass,
-        )
+        self._surface_velocity = surfaces(scene.bodies.values())
+        self._is_kinematic = scene.mass == 0
+        self._inertia, self._inverse_mass = scene.inertia, scene.inverse_mass
 
     def restitution(self, hit: Hit) -> float:
         """Return the coefficient of restitution of a hit's pair."""
@@ -127,60 +132,81 @@ class Collision:
         driven together, that is the next impact. If the hits are `dead`, nothing bounces, whatever
         its coefficient.
         """
-        time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
-        pose, velocity = path.at(time)
-        e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
-        jacobian, response, delassus, runs = self._points(hits, pose, has_friction=bool(mu.any()))
-        count = len(of)
-        rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
+        hit_of_point = np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
+        time, (pose, velocity) = hits[0].time, path.at(hits[0].time)
+        tables = (np.array([table[hit.bodies] for hit in hits]) for table in self._coefficients)
+        restitution, mu = (table[hit_of_point] for table in tables)
+        points = self._points(hits, pose, has_friction=bool(mu.any()))
+        jacobian, response, delassus, belt_slip = points
+        count = len(hit_of_point)
+        rates = np.einsum("knc,nc->k", jacobian, velocity) + belt_slip
         normal_acceleration = np.einsum("knc,nc->k", jacobian[:count], path.acceleration)
-        leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
-        rises = leaves > np.maximum(-normal_acceleration, 0.0) * (self._dt / 2)
-        rests = (np.bincount(of, rises) == 0)[of]
-        leaves[rests] = 0.0
-        impulse = _impulses(delassus, rates, leaves, mu)
-        works = impulse * (rates + delassus @ impulse / 2)
-        coming = rates[:count] < 0
-        if not coming.all() and works[:count].sum() > 0:
-            return self.respond(path, _only(hits, coming), dead=dead)
-        holds = np.zeros_like(rates)
-        rests &= (np.bincount(of, impulse[:count]) > 0)[of]
+        separation_rate = -(0.0 if dead else restitution) * np.minimum(rates[:count], 0.0)
+        leaves = separation_rate > np.maximum(-normal_acceleration, 0.0) * (self._dt / 2)
+        rests = (np.bincount(hit_of_point, leaves) == 0)[hit_of_point]
+        separation_rate[rests] = 0.0
+        impulse = _impulses(delassus, rates, separation_rate, mu)
+        work = impulse * (rates + delassus @ impulse / 2)
+        approaching = rates[:count] < 0
+        if not approaching.all() and work[:count].sum() > 0:
+            return self.respond(path, _only(hits, approaching), dead=dead)
+        resting_forces = np.zeros_like(rates)
+        rests &= (np.bincount(hit_of_point, impulse[:count]) > 0)[hit_of_point]
         if rests.any():
             block = delassus[:count, :count][np.ix_(rests, rests)]
-            holds[:count][rests] = _impulses(
+            resting_forces[:count][rests] = _impulses(
                 block, normal_acceleration[rests], np.zeros(len(block)), mu[rests]
             )
-        duration = (self._dt - time) - self._dt / 2
+        resting_impulse = resting_forces * ((self._dt - time) - self._dt / 2)
+        hit_of_row = np.append(hit_of_point, hit_of_point[: len(rates) - count])
         impacts = []
         for index, hit in enumerate(hits):
-            rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
-            push, held = impulse[rows], holds[rows] * duration
-            given = np.einsum("k,knc->nc", push + held, jacobian[rows])
-            kinematic = -float(np.sum((given * velocity)[self._mass == 0]))
-            moved = self._momentum(push, response[rows], pose)
-            belt = -float(push @ runs[rows])
-            impacts.append(_impact(hit, push, works[rows], kinematic, belt, moved))
+            rows = np.flatnonzero(hit_of_row == index)
+            values = (impulse[rows], resting_impulse[rows], work[rows])
+            impacts.append(self._impact(hit, points.of_rows(rows), values, (pose, velocity)))
+        jump, change = (np.tensordot(sizes, response, 1) for sizes in (impulse, resting_forces))
         struck: Booleans = np.asarray(response.any(axis=(0, 2)))
-        jump, onwards = (np.tensordot(sizes, response, 1) for sizes in (impulse, holds))
-        return Bounce(struck, jump, onwards, tuple(impacts))
+        return Bounce(struck, jump, change, tuple(impacts))
 
-    def _momentum(self, push: Array, response: Array, pose: Array) -> Array:
-        """Return the total momentum that impulses (k,) add: (3,)."""
-        return momentum(self._inertia * np.einsum("k,knc->nc", push, response), pose)
+    def _impact(
+        self,
+        hit: Hit,
+        points: _Points,
+        values: tuple[Array, Array, Array],
+        motion: tuple[Array, Array],
+    ) -> Impact:
+        """Return the impact of a hit with k rows, given the poses and velocities before it.
+
+        `values` are the impulses of the impact, those of resting until the next kick [N s], and the
+        works of the former [J]: (k,) each, normal before friction.
+        """
+        (impulse, resting_impulse, work), (pose, velocity) = values, motion
+        count, jacobian = len(hit.points), points.jacobian
+        total_impulse = np.einsum("k,knc->nc", impulse + resting_impulse, jacobian)
+        jump = np.einsum("k,knc->nc", impulse, points.response)
+        return Impact(
+            *(hit.bodies, hit.time, hit.normal, hit.points),
+            impulse=hit.normal * complex(impulse[:count].sum(), impulse[count:].sum()),
+            kinematic_work=-float(np.sum((total_impulse * velocity)[self._is_kinematic])),
+            belt_work=-float(impulse @ points.belt_slip),
+            friction_work=float(work[count:].sum()),
+            normal_work=float(work[:count].sum()),
+            momentum=momentum(self._inertia * jump, pose),
+        )
 
     def _points(self, hits: Sequence[Hit], pose: Array, *, has_friction: bool) -> _Points:
         jacobian = _jacobian(hits, pose, has_friction=has_friction)
         response = jacobian * self._inverse_mass
         delassus = np.einsum("knc,lnc->kl", response, jacobian)
-        runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
-        runs[: sum(len(hit.points) for hit in hits)] = 0.0  # belts run along the surface only
-        return _Points(jacobian, response, delassus, runs)
+        belt_slip = np.einsum("knc,nc->k", jacobian[..., :2], self._surface_velocity)
+        belt_slip[: sum(len(hit.points) for hit in hits)] = 0.0  # belts run along the surface only
+        return _Points(jacobian, response, delassus, belt_slip)
 
 
 def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
     """Return hits reduced to the wanted points."""
-    left = iter(wanted.tolist())
-    kept = [hit._replace(points=tuple(p for p in hit.points if next(left))) for hit in hits]
+    remaining = iter(wanted.tolist())
+    kept = [hit._replace(points=tuple(p for p in hit.points if next(remaining))) for hit in hits]
     return [hit for hit in kept if hit.points]
 
 
@@ -188,16 +214,16 @@ def _jacobian(hits: Sequence[Hit], pose: Array, *, has_friction: bool) -> Array:
     """Return the Jacobian of the separation and, with friction, the slip: (k, n, 3)."""
     bodies = np.array([hit.bodies for hit in hits for _ in hit.points], dtype=np.intp)
     points = np.array([point for hit in hits for point in hit.points], dtype=complex)
-    ways = np.array([hit.normal for hit in hits for _ in hit.points], dtype=complex)
+    directions = np.array([hit.normal for hit in hits for _ in hit.points], dtype=complex)
     if has_friction:
-        bodies, points, ways = (
+        bodies, points, directions = (
             np.tile(bodies, (2, 1)),
             np.tile(points, 2),
-            np.append(ways, 1j * ways),
+            np.append(directions, 1j * directions),
         )
     bodies = bodies.reshape(-1, 2)
     arms = _vectors(points)[:, None] - pose[bodies, :2]
-    return over_bodies(pair_jacobian(arms, _vectors(ways)), bodies, len(pose))
+    return over_bodies(pair_jacobian(arms, _vectors(directions)), bodies, len(pose))
 
 
 def _vectors(points: NDArray[np.complexfloating]) -> Array:
@@ -205,18 +231,7 @@ def _vectors(points: NDArray[np.complexfloating]) -> Array:
     return points.view(float).reshape(-1, 2)
 
 
-def _impact(
-    hit: Hit, impulse: Array, works: Array, kinematic: float, driven: float, given: Array
-) -> Impact:
-    """Return the impact for a hit, given impulses and works: normal before friction."""
-    count = len(hit.points)
-    whole = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
-    friction_work, pressed = float(works[count:].sum()), float(works[:count].sum())
-    known = hit.bodies, hit.time, hit.normal, hit.points
-    return Impact(*known, whole, kinematic, driven, friction_work, pressed, given)
-
-
-def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
+def _impulses(delassus: Array, rates: Array, separation_rate: Array, mu: Array) -> Array:
     """Return the impulses at the points of impacts, normal before friction: (k,) [N s].
 
     Each normal impulse makes its point separate at the requested rate or faster; friction stops the
@@ -225,17 +240,17 @@ def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
     by one, those of neighbouring points would converge slowly.
 
     `delassus`, (k, k), is the rate of each row by a unit impulse on each; `rates`, (k,), are those
-    before the impact, and `leaves` the requested separation rate of each point [m/s].
+    before the impact, and `separation_rate` the requested separation rate of each point [m/s].
     """
-    impulse, count = np.zeros(len(rates)), len(leaves)
+    impulse, count = np.zeros(len(rates)), len(separation_rate)
     for _ in range(ITERATIONS if len(rates) > count else 1):
         before = impulse.copy()
-        lacks = leaves - rates[:count] - delassus[:count, count:] @ impulse[count:]
-        impulse[:count] = pushes(delassus[:count, :count], -lacks)
+        missing_rate = separation_rate - rates[:count] - delassus[:count, count:] @ impulse[count:]
+        impulse[:count] = pushes(delassus[:count, :count], -missing_rate)
         for row in range(count, len(rates)):
             slip = rates[row] + delassus[row] @ impulse
-            most = mu[row - count] * impulse[row - count]
-            impulse[row] = min(max(impulse[row] - slip / delassus[row, row], -most), most)
+            limit = mu[row - count] * impulse[row - count]
+            impulse[row] = min(max(impulse[row] - slip / delassus[row, row], -limit), limit)
         if np.abs(impulse - before).max() <= STILL * np.abs(impulse).max():
             break
     return impulse

@@ -74,7 +74,7 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
         joints.changes,
         np.array(joints.names, dtype=str),
     )
-    after = state[:, 3:] + (impulse @ kick.response)[joints.order]
+    after = state[:, 3:] + (impulse @ kick.response)[joints.coordinate_indices]
     others = joints.pulls_only.sum() - len(bounces) + len(kick.contacts.bodies)
     elastic = not others and bool(bounces) and min(bounces.values()) == 1
     return Jolt(
@@ -84,12 +84,12 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
 
 def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:
     """Return the rows of all joints and contacts at the current positions."""
-    course = joints.course(t, t + joints.drift)
+    kept_lengths = joints.kept_lengths(t, t + joints.drift)
     if scene.direct:
-        return scene.direct.without_correction(course)
+        return scene.direct.without_correction(kept_lengths)
     count = len(scene.mass)
     none, never = np.zeros((count, count)), np.zeros((count, count), dtype=bool)
     running = np.zeros((count, 2))
     surfaces = Surfaces(Figures([]), none, none, none, running, 0.0, 0.0, never)
     layout = lay_out(NO_CONTACTS, joints, surfaces, scene.mass > 0)
-    return Kick.at(joints.pose(), joints, NO_CONTACTS, layout, running, course)
+    return Kick.at(joints.pose(), joints, NO_CONTACTS, layout, running, kept_lengths)

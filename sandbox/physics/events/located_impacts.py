@@ -144,13 +144,15 @@ class ImpactLocator:
         """Give pymunk the end of a path, given the state and accelerations at its start."""
         drifts, hit = self.pre_kick_velocity, path.struck
         pose, velocity = path.at(self._dt)
-        onwards = path.acceleration
-        self.pre_kick_velocity = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
-        self._compare(path, (acceleration, onwards), (state[:, :3], pose))
+        new_acceleration = path.acceleration
+        self.pre_kick_velocity = np.where(
+            hit[:, None], velocity - new_acceleration * (self._dt / 2), drifts
+        )
+        self._compare(path, (acceleration, new_acceleration), (state[:, :3], pose))
         state[hit, :3] = (pose - self.pre_kick_velocity * self._dt)[hit]
         state[:, 3:] = self.pre_kick_velocity
         self._batch.set_state(state)
-        change = np.where(hit[:, None], onwards - acceleration, 0.0)
+        change = np.where(hit[:, None], new_acceleration - acceleration, 0.0)
         return Cut(self.pre_kick_velocity - drifts, change)
 
     def _compare(
@@ -170,9 +172,9 @@ class ImpactLocator:
 
     def _added_momentum(self, path: Path, t: float, bodies: Booleans) -> Array:
         """Return the momentum by accelerations of some bodies since their last impacts: (3,)."""
-        lasted = np.where(bodies, t - path.start, 0.0)[:, None]
-        given = self._inertia * path.acceleration * lasted
-        return momentum(given, path.pose + path.velocity * (lasted / 2))
+        elapsed = np.where(bodies, t - path.start, 0.0)[:, None]
+        added = self._inertia * path.acceleration * elapsed
+        return momentum(added, path.pose + path.velocity * (elapsed / 2))
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
         """Return the bounding boxes of shapes relative to their bodies: corners (s, 2) each."""
@@ -235,10 +237,10 @@ class ImpactLocator:
     ) -> None:
         """Remove the effect of pymunk's impacts in the last kick from the accelerations."""
         contacts, solid = self._batch.contacts(), self._joints.joined
-        hit, onwards = impacts(
+        hit, new_acceleration = impacts(
             contacts, solid, pose, *velocities, law_acceleration, self._mass, self._dt
         )
-        acceleration[hit] = onwards
+        acceleration[hit] = new_acceleration
 
     def _solve_in_order(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
         """Solve one impact after the other until the drift is over."""
@@ -252,8 +254,8 @@ class ImpactLocator:
                 struck |= self._collide(path, group, tally)
             pose, end = path.pose_at(time), path.pose_at(self._dt)
             bend = np.abs(path.acceleration) * (self._dt - time) ** 2
-            moved = set(np.flatnonzero(struck).tolist())
-            hits = [hit for hit in hits if moved.isdisjoint(hit.bodies)]
+            moved_bodies = set(np.flatnonzero(struck).tolist())
+            hits = [hit for hit in hits if moved_bodies.isdisjoint(hit.bodies)]
             hits += self._hits(path, self._near(pose, end, bend, struck), time, adds)
 
     def _around(self, path: Path, group: list[Hit]) -> list[Hit]:

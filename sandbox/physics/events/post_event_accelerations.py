@@ -24,7 +24,7 @@ TRIES = 16
 
 SHORTER = 1 / 4
 
-PLACES = 1e-14
+POSITION_ROUNDING = 1e-14
 """The relative precision of positions, from which strings derive velocities."""
 
 Held = Callable[[], AbstractContextManager[None]]
@@ -60,12 +60,12 @@ class ContinuationSolver:
         self._kick, self._held = kick, held
         self.running = surfaces(scene.bodies.values())
         self.adds = np.zeros((len(scene.mass), 3))
-        self._blur = PLACES / dt if scene.joints.strings else 0.0
+        self._blur = POSITION_ROUNDING / dt if scene.joints.strings else 0.0
 
     def sense(self, slips: Slips, contacts: Contacts, velocity: Array, adds: Array) -> Array:
         """Return the directions of slip, given velocities and their change in a kick."""
-        known = slips.sense(velocity, np.abs(adds) + self.adds, self._blur)
-        return np.where(contacts.friction > 0, known, 0.0)
+        senses = slips.sense(velocity, np.abs(adds) + self.adds, self._blur)
+        return np.where(contacts.friction > 0, senses, 0.0)
 
     def solve(
         self,
@@ -88,12 +88,16 @@ class ContinuationSolver:
             with self._forced(slips.bodies[sense != 0], slips.bodies[sense == 0]):
                 after = self.settled(ahead, velocity, length, 2 * length)
             contacts = self._batch.contacts()
-            there, adds = Slips.of(contacts, pose, self.running), after - velocity
-            goes = _matched(slips, sense, there)
-            if goes is None or self.is_approaching(contacts, pose, velocity, length):
+            new_slips, adds = Slips.of(contacts, pose, self.running), after - velocity
+            matched_senses = _matched(slips, sense, new_slips)
+            if matched_senses is None or self.is_approaching(contacts, pose, velocity, length):
                 return None
-            if (self.sense(there, contacts, after, adds) == goes)[goes != 0].all():
-                return ContactAccelerations(adds / length, contacts.scaled(1 / length), there, goes)
+            if (self.sense(new_slips, contacts, after, adds) == matched_senses)[
+                matched_senses != 0
+            ].all():
+                return ContactAccelerations(
+                    adds / length, contacts.scaled(1 / length), new_slips, matched_senses
+                )
             length *= SHORTER
         return None
 
@@ -127,8 +131,8 @@ class ContinuationSolver:
 
     def restore(self, memory: Mapping[frozenset[int], Memory]) -> None:
         """Restore the memory of static friction."""
-        for pair, known in memory.items():
-            self._sticking[pair].restore(known)
+        for pair, impulses in memory.items():
+            self._sticking[pair].restore(impulses)
 
     @contextmanager
     def _forced(self, slipping: Integers, others: Integers) -> Iterator[None]:

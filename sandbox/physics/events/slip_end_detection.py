@@ -43,27 +43,27 @@ class SlipDetector:
         batch: Batch,
         named: Booleans,
         coefficients: Array,
-        onwards: ContinuationSolver,
+        continuation: ContinuationSolver,
         dt: float,
     ) -> None:
         self._batch, self._named, self._coefficients = batch, named, coefficients
-        self._onwards, self._dt = onwards, dt
+        self._continuation, self._dt = continuation, dt
 
-    def detect(self, came: Array, velocity: Array, acceleration: Array) -> SlipState:
+    def detect(self, previous_velocity: Array, velocity: Array, acceleration: Array) -> SlipState:
         """Return which contacts slip at the step, and which no longer do at the next.
 
         The directions are those of the velocities with which bodies came to the step: pymunk lets a
         slip end for the whole kick, and that makes other contacts slip after it.
         """
         contacts, pose = self._batch.contacts(), self._batch.state()[:, :3]
-        slips, adds = Slips.of(contacts, pose, self._onwards.running), acceleration * self._dt
-        sense = self._onwards.sense(slips, contacts, came, adds)
+        slips, adds = Slips.of(contacts, pose, self._continuation.running), acceleration * self._dt
+        sense = self._continuation.sense(slips, contacts, previous_velocity, adds)
         named = (sense != 0) & self._named[slips.bodies].any(axis=1)
         most = self._coefficients[contacts.bodies[:, 0], contacts.bodies[:, 1]] * contacts.normal
         weakened = named & (contacts.friction < most * (1 - WEAKER))
         ends = weakened | self.ends(slips, sense, contacts, velocity + adds, adds)
         if ends.any():
-            half_on = self._onwards.sense(slips, contacts, velocity + adds / 2, adds)
+            half_on = self._continuation.sense(slips, contacts, velocity + adds / 2, adds)
             weakened |= ends & (half_on != sense)
         steps = self.time_to_stop(slips, sense, velocity, adds)
         return SlipState(pose, slips, sense, ends, weakened, float(steps.min()))
@@ -72,7 +72,7 @@ class SlipDetector:
         self, slips: Slips, sense: Array, contacts: Contacts, velocity: Array, adds: Array
     ) -> Booleans:
         """Return which contacts of named bodies no longer slip at these velocities: (k,)."""
-        later = self._onwards.sense(slips, contacts, velocity, adds)
+        later = self._continuation.sense(slips, contacts, velocity, adds)
         return (sense != 0) & self._named[slips.bodies].any(axis=1) & (later != sense)
 
     def time_to_stop(

@@ -72,15 +72,20 @@ class SlipEndLocator:
         linked: Integers,
         tied: Booleans,
         lookout: SlipDetector,
-        onwards: ContinuationSolver,
+        continuation: ContinuationSolver,
         smooth: Callable[[], Array],
         dt: float,
     ) -> None:
         self._scene, self._batch, self._linked, self._tied = scene, scene.batch, linked, tied
-        self._lookout, self._onwards, self._smooth, self._dt = lookout, onwards, smooth, dt
+        self._lookout, self._continuation, self._smooth, self._dt = (
+            lookout,
+            continuation,
+            smooth,
+            dt,
+        )
         self._next = self.pre_kick_velocity = self._change = self._batch.velocity()
         self._ground = self._next[scene.mass == 0]
-        self._ground[:, :2] += onwards.running[scene.mass == 0]
+        self._ground[:, :2] += continuation.running[scene.mass == 0]
         # steps without a check, while the squared difference of kicks stays within `_alike`
         self._quiet, self._alike = 0, 0.0
         self._acceleration: Array | None = None  # until the next step, if it is known
@@ -95,7 +100,7 @@ class SlipEndLocator:
         accelerations that pymunk gave [m/s, rad/s, m/s², rad/s²].
         """
         half, self._quiet, self.last = self._dt / 2, 0, None
-        self._onwards.adds = np.abs(self._smooth()) * self._dt
+        self._continuation.adds = np.abs(self._smooth()) * self._dt
         self._acceleration = acceleration = self._detect(velocity, velocity, acceleration, half)
         self.pre_kick_velocity, self._next = (
             velocity - acceleration * half,
@@ -118,7 +123,7 @@ class SlipEndLocator:
         if self._struck(smooth):
             self._acceleration = None
             return
-        self._onwards.adds = np.abs(smooth) * self._dt
+        self._continuation.adds = np.abs(smooth) * self._dt
         acceleration = change / self._dt
         until = acceleration if self._acceleration is None else self._acceleration
         step_velocity = velocity_before + until * (self._dt / 2)
@@ -154,11 +159,11 @@ class SlipEndLocator:
         if not slip_state.ends.any():
             if (self._ground == self._ground[:1]).all():  # all the ground moves alike
                 self._quiet = int(min(max(slip_state.steps - 2, 0) / 2, FAR))
-                self._alike = (ALIKE * float(self._onwards.adds.max())) ** 2
+                self._alike = (ALIKE * float(self._continuation.adds.max())) ** 2
             return acceleration
         contacts = self._batch.contacts()
         tied = (self._island(slip_state.slips, slip_state.ends) & self._tied).any()
-        if tied or self._onwards.is_approaching(contacts, slip_state.pose, velocity, self._dt):
+        if tied or self._continuation.is_approaching(contacts, slip_state.pose, velocity, self._dt):
             return acceleration
         if slip_state.weakened.any():
             return self._retake_slipping(velocity_before, step_velocity, acceleration, length)
@@ -173,20 +178,20 @@ class SlipEndLocator:
         """Take the last kick again with everything still slipping; see `_detect`."""
         after, memory, time_since = (
             self._batch.velocity(),
-            self._onwards.memory(),
+            self._continuation.memory(),
             length - self._dt / 2,
         )
         settled = (
-            self._onwards.settled(0.0, velocity_before, length, self._dt) - velocity_before
+            self._continuation.settled(0.0, velocity_before, length, self._dt) - velocity_before
         ) / length
         slip_state = self._lookout.detect(
             step_velocity, velocity_before + settled * time_since, settled
         )
         slips, sense = slip_state.slips, slip_state.sense
-        found = self._onwards.solve(
+        found = self._continuation.solve(
             slip_state.pose, velocity_before, 0.0, self._dt / 2, slips, sense
         )
-        self._onwards.restore(memory)
+        self._continuation.restore(memory)
         self._batch.set_velocity(after)
         if found and slip_state.weakened.any():
             island = self._island(slips, slip_state.weakened)
@@ -198,8 +203,10 @@ class SlipEndLocator:
                 part = Phase(self._dt, slip_state.pose, velocity, slipping, found.forces)
                 self._due = part, slips, sense
                 return slipping
-        self._onwards.settled(0.0, velocity_before, length, self._dt)  # for pymunk's warm start
-        self._onwards.restore(memory)
+        self._continuation.settled(
+            0.0, velocity_before, length, self._dt
+        )  # for pymunk's warm start
+        self._continuation.restore(memory)
         self._batch.set_velocity(after)
         return acceleration
 
@@ -213,19 +220,25 @@ class SlipEndLocator:
         due, self._due, self.last = self._due, None, None
         if due is None:
             return None
-        state, memory = self._batch.state(), self._onwards.memory()
+        state, memory = self._batch.state(), self._continuation.memory()
         smooth = self._smooth()
-        phases, moved = self._follow(*due, state)
+        phases, moved_bodies = self._follow(*due, state)
         pose, velocity_before = state[:, :3], state[:, 3:]
         if len(phases) > 1:
             self.last = slip_entries(
-                phases, self._scene.inertia, smooth, self._onwards.running, self._dt
+                phases, self._scene.inertia, smooth, self._continuation.running, self._dt
             )
             ends, _ = phases[-1].at(phases[-1].duration)
-            velocity_before = np.where(moved[:, None], self.last.pre_kick_velocity, velocity_before)
-            pose = np.where(moved[:, None], ends - velocity_before * self._dt, pose)
-        self._onwards.settled(1.0, velocity_before, self._dt, self._dt)  # for pymunk's warm start
-        self._onwards.restore({p: known for p, known in memory.items() if not moved[[*p]].any()})
+            velocity_before = np.where(
+                moved_bodies[:, None], self.last.pre_kick_velocity, velocity_before
+            )
+            pose = np.where(moved_bodies[:, None], ends - velocity_before * self._dt, pose)
+        self._continuation.settled(
+            1.0, velocity_before, self._dt, self._dt
+        )  # for pymunk's warm start
+        self._continuation.restore(
+            {p: known for p, known in memory.items() if not moved_bodies[[*p]].any()}
+        )
         self._batch.set_state(np.concatenate((pose, velocity_before), axis=1))
         self._next, self._acceleration = velocity_before, phases[-1].acceleration
         return Cut(velocity_before, phases[-1].acceleration) if self.last else None
@@ -236,7 +249,7 @@ class SlipEndLocator:
         """Let slips end one after the other; return the drift's parts and the changed bodies."""
         phases: list[Phase] = []
         kinematic = self._scene.mass == 0
-        moved = np.zeros_like(kinematic)
+        moved_bodies = np.zeros_like(kinematic)
         while len(phases) < MOST:
             adds, (_, velocity) = part.acceleration * self._dt, part.at(part.duration)
             if not self._lookout.ends(slips, sense, part.forces, velocity, adds).any():
@@ -244,20 +257,22 @@ class SlipEndLocator:
             wait = self._lookout.time_to_stop(slips, sense, part.velocity, part.acceleration)
             first = min(float(wait.min()), part.duration)
             pose, velocity = part.at(first)
-            still = self._onwards.sense(slips, part.forces, velocity, adds)
+            still = self._continuation.sense(slips, part.forces, velocity, adds)
             still[wait <= first] = 0.0
             island = self._island(slips, (sense != 0) & (still == 0))
-            here = np.where((moved | island | kinematic)[:, None], pose, state[:, :3])
+            current_pose = np.where(
+                (moved_bodies | island | kinematic)[:, None], pose, state[:, :3]
+            )
             left = part.duration - first
             ahead, longest = 1 - left / self._dt, self._dt / 2
-            found = self._onwards.solve(here, velocity, ahead, longest, slips, still)
+            found = self._continuation.solve(current_pose, velocity, ahead, longest, slips, still)
             if found is None:
                 break
             phases.append(part._replace(duration=first))
             acceleration = np.where(island[:, None], found.acceleration, part.acceleration)
             part = Phase(left, pose, velocity, acceleration, found.forces)
-            slips, sense, moved = found.slips, found.sense, moved | island
-        return [*phases, part], moved
+            slips, sense, moved_bodies = found.slips, found.sense, moved_bodies | island
+        return [*phases, part], moved_bodies
 
     def _island(self, slips: Slips, ended: Booleans) -> Booleans:
         """Return the bodies connected by contacts or strings to ended slips: (n,)."""
@@ -268,7 +283,7 @@ def stop(
     level: Level,
     values: Values,
     scene: Scene,
-    onwards: Callable[[], ContinuationSolver],
+    make_continuation: Callable[[], ContinuationSolver],
     smooth: Callable[[], Array],
     dt: float,
 ) -> SlipEndLocator | None:
@@ -287,6 +302,6 @@ def stop(
         tied[[names.index(body) for body in pair.bodies]] = True
     named = np.array([name in friction.located for name in names])
     coefficients = pair_coefficients(level, values, "friction")
-    found = onwards()
+    found = make_continuation()
     lookout = SlipDetector(scene.batch, named, coefficients, found, dt)
     return SlipEndLocator(scene, linked, tied, lookout, found, smooth, dt)

@@ -39,9 +39,9 @@ class Slips(NamedTuple):
         """
         bodies, (x, y) = contacts.bodies, contacts.direction.T
         arm = contacts.on_surfaces(contacts.points[:, 0]) - pose[bodies, :2]
-        way = pair_jacobian(arm, np.stack((-y, x), axis=1))
-        runs = np.einsum("kbc,kbc->k", way[..., :2], running[bodies])
-        return cls(bodies, way, runs, np.abs(contacts.points[:, 0]).sum(axis=1))
+        slip_jacobian = pair_jacobian(arm, np.stack((-y, x), axis=1))
+        runs = np.einsum("kbc,kbc->k", slip_jacobian[..., :2], running[bodies])
+        return cls(bodies, slip_jacobian, runs, np.abs(contacts.points[:, 0]).sum(axis=1))
 
     def change(self, acceleration: Array) -> Array:
         """Return the rates of change of the slips under accelerations (n, 3): (k,) [m/s²]."""
@@ -61,8 +61,8 @@ class Slips(NamedTuple):
         speed = self.speed(velocity)
         sizes = np.abs(velocity) + np.abs(adds) * (FAINT / ROUNDING)
         sizes[:, :2] = sizes[:, :2].sum(axis=1, keepdims=True)  # in any direction
-        known = ROUNDING * (self._sizes(sizes) + np.abs(self.belt_slip))
-        return np.where(np.abs(speed) > known + blur * self.distance, np.sign(speed), 0.0)
+        least_speed = ROUNDING * (self._sizes(sizes) + np.abs(self.belt_slip))
+        return np.where(np.abs(speed) > least_speed + blur * self.distance, np.sign(speed), 0.0)
 
     def _sizes(self, sizes: Array) -> Array:
         return np.asarray(np.einsum("kbc,kbc->k", np.abs(self.jacobian), sizes[self.bodies]))
@@ -137,10 +137,12 @@ def slip_entries(
         added += momentum(inertia * part.acceleration * part.duration, middle)
     added -= momentum(inertia * first.acceleration * half, first.pose)
     added -= momentum(inertia * last.acceleration * half, pose)
-    ways = sum(part.velocity * half + part.acceleration * (half * half / 2) for part in halves)
+    displacement = sum(
+        part.velocity * half + part.acceleration * (half * half / 2) for part in halves
+    )
     change = first.acceleration - last.acceleration
     lifted = float(np.sum(inertia * law_acceleration * change)) * half * half / 2
-    return SlipEntries(begun, friction_work, works, pose - first.pose - ways, lifted, added)
+    return SlipEntries(begun, friction_work, works, pose - first.pose - displacement, lifted, added)
 
 
 def friction_work_beyond(

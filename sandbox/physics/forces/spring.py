@@ -11,7 +11,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import ELASTIC
 from sandbox.model.number_bounds import SpringLaw
 from sandbox.physics.geometry.quadrature import gauss
-from sandbox.physics.state.anchor import Anchor, Plane
+from sandbox.physics.state.anchor import Anchor, Complexes
 from sandbox.physics.state.motion import Motion
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ class SpringForce:
         energy = np.asarray(energy + self.law.energy(stretch) if self.law else energy)
         return energy * self.switch.at(motion.t) if self.switch else energy
 
-    def span(self, motion: Motion) -> tuple[Plane, Plane]:
+    def span(self, motion: Motion) -> tuple[Complexes, Complexes]:
         """Return its two ends [m]; a spring that only pushes is drawn at most l0 long."""
         (a, _), (b, _) = (end.position_and_arm(motion) for end in self.ends)
         longest = self.length if self.pushes_only else np.inf
@@ -122,7 +122,7 @@ class SpringForce:
             energy[..., body] += total / len(bodies)
         return energy
 
-    def _tension(self, motion: Motion) -> tuple[Array, Plane, tuple[Plane, Plane]]:
+    def _tension(self, motion: Motion) -> tuple[Array, Complexes, tuple[Complexes, Complexes]]:
         """Return the tension, the direction from the first end to the second, and the arms."""
         if self.damping:
             (a, velocity_a, arm_a), (b, velocity_b, arm_b) = (

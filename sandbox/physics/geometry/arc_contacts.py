@@ -50,9 +50,9 @@ class Arc:
     cosine: float
     """The cosine of half the angle that it spans; below −1 for a whole circle."""
 
-    def spans(self, offset: complex, turned: complex) -> bool:
+    def spans(self, offset: complex, rotation: complex) -> bool:
         """Return whether a vector from the centre points at the arc, with the body turned."""
-        return dot(offset, self.middle * turned) >= self.cosine * abs(offset)
+        return dot(offset, self.middle * rotation) >= self.cosine * abs(offset)
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +189,7 @@ def _at_side(side: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Ver
     return found
 
 
-def _leaves(arc: Arc, start: complex, end: complex, turned: complex) -> bool:
+def _leaves(arc: Arc, start: complex, end: complex, rotation: complex) -> bool:
     """Return whether the way between two points, seen from the centre, leads out through an arc."""
     if dot(start, end) >= arc.radius * abs(end):
         return False
@@ -199,7 +199,7 @@ def _leaves(arc: Arc, start: complex, end: complex, turned: complex) -> bool:
     ahead, square = dot(start, offset), dot(offset, offset)
     root = ahead * ahead - square * (dot(start, start) - arc.radius**2)
     fraction = (sqrt(root) - ahead) / square if root > 0 else 0.0
-    return fraction > 0 and arc.spans(start + fraction * offset, turned)
+    return fraction > 0 and arc.spans(start + fraction * offset, rotation)
 
 
 def _inside(
@@ -213,7 +213,7 @@ def _inside(
 
 
 def _is_outside(
-    arc: Arc, other: Piece, center: complex, turned: complex, other_pose: Placed
+    arc: Arc, other: Piece, center: complex, rotation: complex, other_pose: Placed
 ) -> bool:
     """Return whether a shape with corners is at the outer side of an arc.
 
@@ -222,7 +222,7 @@ def _is_outside(
     """
     core = [to_plane(other_pose, corner) for corner in other.core]
     offset = nearest(core, center) - center
-    if not offset or not arc.spans(offset, turned):
+    if not offset or not arc.spans(offset, rotation):
         return False
     beyond = dot(mean(core) - center, offset) / abs(offset)
     return beyond > arc.radius * (1 - THIN)

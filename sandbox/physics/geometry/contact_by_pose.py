@@ -69,13 +69,13 @@ def _on_curve(side: Side, touch: Touch, pose: Placed, other_pose: Placed) -> Tra
     def point_in_axes(pose: Placed, other_pose: Placed) -> complex:
         return (to_plane(other_pose, touch.point) - pose[0]) / pose[1]
 
-    start = side.course.foot_point(point_in_axes(pose, other_pose), side.stretch)
+    start = side.middle_line.foot_point(point_in_axes(pose, other_pose), side.stretch)
     assert start
     sign = 1 if dot(touch.normal / pose[1], 1j * start.tangent) >= 0 else -1
 
     def contact_at(pose: Placed, other_pose: Placed) -> ContactGeometry:
         point = point_in_axes(pose, other_pose)
-        foot = side.course.foot_point_near(point, start.parameter)
+        foot = side.middle_line.foot_point_near(point, start.parameter)
         out = sign * 1j * foot.tangent
         gap = dot(point - foot.point, out) - side.half - touch.radius
         return ContactGeometry(out * pose[1], to_plane(pose, point - out * touch.radius), gap)
@@ -92,7 +92,7 @@ def _side_on_curve(side: Side, out: complex, touch: Touch, other_pose: Placed) -
 
     def contact_at(pose: Placed, other_pose: Placed) -> ContactGeometry:
         direction = out * other_pose[1] / pose[1]
-        point = side.course.lowest(direction, side.stretch)
+        point = side.middle_line.lowest(direction, side.stretch)
         height = dot(point - (to_plane(other_pose, side_point) - pose[0]) / pose[1], direction)
         return ContactGeometry(
             -direction * pose[1], to_plane(pose, point - height * direction), height - side.half

@@ -18,7 +18,7 @@ from sandbox.model.wire_points import along
 from sandbox.physics.geometry import arc_contacts
 from sandbox.physics.geometry.arc_contacts import THIN, Arc, Piece, Placed, Touch, Verdict, to_plane
 from sandbox.physics.geometry.outline_distance import dot, mean
-from sandbox.physics.geometry.plane_curve import Course, CurvePoint, Side
+from sandbox.physics.geometry.plane_curve import CurvePoint, MiddleLine, Side
 
 CENTRED = 1e-3
 """The smallest distance from the centre of curvature, over the radius of curvature, at which a body
@@ -29,19 +29,20 @@ DEEP = 0.5
 a contact."""
 
 
-_COURSES: WeakKeyDictionary[Curve, tuple[tuple[float, ...], Course]] = WeakKeyDictionary()
-"""The last course of each curve of the levels that are in use, and the values of its parameters: a
-scene needs each several times, and each takes some 0.5 MB."""
+_MIDDLE_LINES: WeakKeyDictionary[Curve, tuple[tuple[float, ...], MiddleLine]] = WeakKeyDictionary()
+"""The last middle line of each curve of the levels in use, and the values of its parameters.
+
+A scene needs each several times, and each takes some 0.5 MB."""
 
 
-def course_of(curve: Curve, values: Values) -> Course:
-    """Return the course of a curve, in the axes of its body."""
+def middle_line_of(curve: Curve, values: Values) -> MiddleLine:
+    """Return the middle line of a curve, in the axes of its body."""
     key = tuple(values[name] for name in sorted(names_in(curve) - {"s"}))
-    old_key, course = _COURSES.get(curve, (None, None))
-    if course is None or key != old_key:
-        course = Course(along(curve, values))
-        _COURSES[curve] = key, course
-    return course
+    old_key, middle_line = _MIDDLE_LINES.get(curve, (None, None))
+    if middle_line is None or key != old_key:
+        middle_line = MiddleLine(along(curve, values))
+        _MIDDLE_LINES[curve] = key, middle_line
+    return middle_line
 
 
 def verdict(one: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Verdict:
@@ -54,7 +55,7 @@ def verdict(one: Piece, other: Piece, pose: Placed, other_pose: Placed) -> Verdi
 
 
 def closest_circle(foot: CurvePoint, half: float, body: int) -> Arc:
-    """Return the osculating circle of a course at a point, as an arc of thickness 2 `half`."""
+    """Return the osculating circle of a middle line at a point, as an arc of thickness 2 `half`."""
     radius = 1 / abs(foot.curvature)
     center = foot.point + 1j * foot.tangent / foot.curvature
     return Arc(body, center, radius, radius - half, radius + half, 1 + 0j, -2.0)
@@ -68,10 +69,10 @@ def _touch(side: Side, other: Piece, pose: Placed, other_pose: Placed) -> Verdic
     point = (
         middle if other.corner is None else (to_plane(other_pose, other.corner) - pose[0]) / pose[1]
     )
-    knot_index, knot = side.course.nearest_knot(point, side.stretch)
+    knot_index, knot = side.middle_line.nearest_knot(point, side.stretch)
     if _is_far(side, other.radius, point - knot, middle - point):
         return False
-    foot = side.course.foot_point(point, side.stretch, knot_index)
+    foot = side.middle_line.foot_point(point, side.stretch, knot_index)
     if foot is None:
         return False
     left = 1j * foot.tangent
@@ -101,7 +102,7 @@ def _is_far(side: Side, radius: float, offset: complex, to_middle: complex) -> b
     `offset` and `to_middle` lead from the nearest knot to the point, and on to its shape's middle
     [m].
     """
-    distance, spacing = abs(offset), side.course.spacing
+    distance, spacing = abs(offset), side.middle_line.spacing
     least_distance = distance - spacing
     if least_distance <= side.half + radius:
         return False
@@ -116,7 +117,7 @@ def _flat(side: Side, other: Piece, core: list[complex], pose: Placed) -> Verdic
     best: Touch | None = None
     for a, b in _edges(core):
         out = -1j * (b - a) / abs(b - a)
-        foot = side.course.parallel(-side.stretch.turn_sign * 1j * out, side.stretch)
+        foot = side.middle_line.parallel(-side.stretch.turn_sign * 1j * out, side.stretch)
         if foot is None:
             continue
         depth = side.half + other.radius - dot(foot.point - a, out)

@@ -3,10 +3,10 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 
-def depth(points: Plane, corners: Plane) -> Array:
+def depth(points: Complexes, corners: Complexes) -> Array:
     """Return the depths of points (...) in a polygon, convex or not: (...) [m].
 
     `corners`, (k,), go round the polygon in order, clockwise or counter-clockwise [m].
@@ -18,7 +18,7 @@ def depth(points: Plane, corners: Plane) -> Array:
     return np.where(_inside(apart, sides), distance, -distance)
 
 
-def _inside(apart: Plane, sides: Plane) -> Array:
+def _inside(apart: Complexes, sides: Complexes) -> Array:
     """Return whether a ray to the right crosses the outline an odd number of times: (...)."""
     low, high = apart.imag >= 0, apart.imag >= sides.imag
     left = apart.real * sides.imag - apart.imag * sides.real

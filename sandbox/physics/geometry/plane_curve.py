@@ -18,16 +18,16 @@ KNOT = 16
 """The number of pieces between two knots, the points that a search tries first."""
 
 QUADRATIC = 1e-6
-"""Pieces, the Newton step below which the course equals its own parabola up to rounding."""
+"""Pieces, the Newton step below which the middle line equals its own parabola up to rounding."""
 
 HALVINGS = 60
 """The most iterations of a search, by Newton's method or else bisection."""
 
 STRAIGHT = 1.01
-"""The upper bound of a course's length over the chords between its points."""
+"""The upper bound of a middle line's length over the chords between its points."""
 
 FOLLOWED = 0.125
-"""The largest fraction of a course by which a foot can move in a step."""
+"""The largest fraction of a middle line by which a foot can move in a step."""
 
 FLATTEST = 1e-9
 """1/m, the lower bound of the curvature; flatter parts count as a circle with this curvature."""
@@ -43,7 +43,7 @@ _GAUSS = tuple((0.5 + x, w) for x, w in ((-sqrt(0.15), 5 / 18), (0.0, 4 / 9), (s
 
 
 class CurvePoint(NamedTuple):
-    """A point of a course."""
+    """A point of a middle line."""
 
     parameter: float
     """The parameter, in pieces."""
@@ -52,11 +52,11 @@ class CurvePoint(NamedTuple):
     tangent: complex
     """The unit tangent."""
     curvature: float
-    """The curvature, positive where the course turns left; never 0 [1/m]."""
+    """The curvature, positive where the middle line turns left; never 0 [1/m]."""
 
 
 class Stretch(NamedTuple):
-    """A part of a course that bends one way, with one nearest point to anything beside it."""
+    """A part of a middle line that bends one way, with one nearest point to anything beside it."""
 
     first: int
     last: int
@@ -68,7 +68,7 @@ class Stretch(NamedTuple):
     """The centre and radius of a circle around it [m]."""
 
 
-class Course:
+class MiddleLine:
     """The middle line of a curve, through points at equal steps of its parameter.
 
     The number of pieces between the points is a multiple of `KNOT`. The line has `stretches`, its
@@ -85,7 +85,7 @@ class Course:
         self.stretches = self._split()
 
     def nearest_knot(self, point: complex, stretch: Stretch | None = None) -> tuple[int, complex]:
-        """Return the knot of the course or a stretch nearest to a point, and its position [m]."""
+        """Return the knot nearest to a point, on the line or a stretch, and its position [m]."""
         first, last = self._range(stretch)
         offsets = self.knots[first : last + 1] - point
         index = first + int(np.argmin(offsets.real**2 + offsets.imag**2))
@@ -94,7 +94,7 @@ class Course:
     def foot_point(
         self, point: complex, stretch: Stretch | None = None, knot: int | None = None
     ) -> CurvePoint | None:
-        """Return the foot point on the course or a stretch, searched around the nearest knot.
+        """Return the foot point on the middle line or a stretch, searched around the nearest knot.
 
         None if the nearest point is an end. A point beside the common end of two stretches has a
         foot point on the first of them only.
@@ -109,11 +109,11 @@ class Course:
         return self._foot_between(point, float(low), float(high), float(knot * KNOT))
 
     def _range(self, stretch: Stretch | None) -> tuple[int, int]:
-        """Return the first and last knot of a stretch, or of the whole course."""
+        """Return the first and last knot of a stretch, or of the whole middle line."""
         return (stretch.first, stretch.last) if stretch else (0, len(self.knots) - 1)
 
     def foot_point_near(self, point: complex, at: float) -> CurvePoint:
-        """Return the foot point on the course near a parameter."""
+        """Return the foot point on the middle line near a parameter."""
         reach = self._curve.count * FOLLOWED
         return self._foot_between(point, at - reach, at + reach, at)
 
@@ -215,18 +215,18 @@ class Side:
 
     body: int
     """The body's index."""
-    course: Course
+    middle_line: MiddleLine
     stretch: Stretch
-    """The course, and the part of it."""
+    """The middle line, and the part of it."""
     half: float
-    """The distance of the two sides from the course, half the thickness [m]."""
+    """The distance of the two sides from the middle line, half the thickness [m]."""
 
 
 def _cuts(bends: np.ndarray, turns: np.ndarray) -> list[int]:
     """Return the knots between stretches, and the two ends.
 
-    Between two foot points of the same point there is a maximum of curvature. So the course is cut
-    at the maxima, where the curvature changes sign, and after each turn by `TURN`.
+    Between two foot points of the same point there is a maximum of curvature. So the middle line is
+    cut at the maxima, where the curvature changes sign, and after each turn by `TURN`.
     """
     cuts, turned = [0], 0.0
     # since the last cut: the knot of the largest curvature, and the smallest curvature

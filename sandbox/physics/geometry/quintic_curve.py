@@ -29,10 +29,10 @@ class Quintics:
         self.count = len(self._table)
         self._pieces: dict[int, list[complex]] = {}  # a cache: a run needs few of them repeatedly
 
-    def over(self, places: Integers) -> tuple[Points, Points, Points]:
+    def over(self, parameters: Integers) -> tuple[Points, Points, Points]:
         """Return the results of `at` for many ends of pieces, (k,), at once."""
-        piece = np.minimum(places, self.count - 1)
-        u = places - piece
+        piece = np.minimum(parameters, self.count - 1)
+        u = parameters - piece
         a, b, c, d, e, f = self._table[piece].T
         return (
             a + u * (b + u * (c + u * (d + u * (e + u * f)))),
@@ -40,11 +40,13 @@ class Quintics:
             2 * c + u * (6 * d + u * (12 * e + u * 20 * f)),
         )
 
-    def at(self, place: float) -> tuple[complex, complex, complex]:
+    def at(self, parameter: float) -> tuple[complex, complex, complex]:
         """Return the point [m], and its first and second derivative by the parameter."""
         count = self.count
-        piece = int(place // 1) % count if self.closed else min(max(int(place), 0), count - 1)
-        u = place % count - piece if self.closed else place - piece
+        piece = (
+            int(parameter // 1) % count if self.closed else min(max(int(parameter), 0), count - 1)
+        )
+        u = parameter % count - piece if self.closed else parameter - piece
         if piece not in self._pieces:
             self._pieces[piece] = self._table[piece].tolist()
         a, b, c, d, e, f = self._pieces[piece]
@@ -55,7 +57,7 @@ class Quintics:
         )
 
 
-def course(wire: Wire, values: Values) -> Points:
+def points_along(wire: Wire, values: Values) -> Points:
     """Return the points of a wire for quintics through them: (n + 1,) [m].
 
     They are at equal steps of the wire's parameter, or closer at its ends if that is more accurate.

@@ -12,7 +12,7 @@ import numpy as np
 
 from sandbox.physics.geometry.arc_contacts import Arc, nearest
 from sandbox.physics.geometry.outline_distance import dot, mean
-from sandbox.physics.geometry.plane_curve import Course, CurvePoint
+from sandbox.physics.geometry.plane_curve import CurvePoint, MiddleLine
 
 if TYPE_CHECKING:
     from sandbox.model.expressions import Array
@@ -83,13 +83,13 @@ class Round:
 class Curved:
     """A curve, in the direction of its increasing parameter."""
 
-    def __init__(self, course: Course) -> None:
-        self._course = course
+    def __init__(self, middle_line: MiddleLine) -> None:
+        self._middle_line = middle_line
 
     def nearest(self, point: complex) -> NearestPoint:
         """Return the nearest point."""
-        foot = self._course.foot_point(point)
-        feet: list[CurvePoint] = [*self._course.ends, *([foot] if foot else [])]
+        foot = self._middle_line.foot_point(point)
+        feet: list[CurvePoint] = [*self._middle_line.ends, *([foot] if foot else [])]
         best = min(feet, key=lambda foot: abs(foot.point - point))
         return NearestPoint(best.point, 1j * best.tangent)
 

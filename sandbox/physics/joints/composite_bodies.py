@@ -97,8 +97,8 @@ class Touches:
         bodies = [[self._index[name] for name in pair] for pair in self._latest]
         normals, points = zip(*self._latest.values(), strict=True)
         none = np.zeros(len(bodies))
-        places = np.full((len(bodies), 2, 2), np.nan)
-        places[:, 0] = points
+        new_points = np.full((len(bodies), 2, 2), np.nan)
+        new_points[:, 0] = points
         return Contacts(
             np.concatenate((contacts.bodies, np.array(bodies, dtype=np.intp))),
             np.append(contacts.first, np.full(len(bodies), fill_value=True)),
@@ -106,7 +106,7 @@ class Touches:
             np.append(contacts.normal, none),
             np.append(contacts.friction, none),
             np.append(contacts.touches, np.ones(len(bodies), dtype=np.intp)),
-            np.concatenate((contacts.points, places)),
+            np.concatenate((contacts.points, new_points)),
             np.append(contacts.impulse, np.zeros((len(bodies), 2)), axis=0),
             np.append(contacts.depths, np.zeros((len(bodies), 2)), axis=0),
         )

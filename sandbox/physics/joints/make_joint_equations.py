@@ -29,7 +29,7 @@ from sandbox.model.joints import (
 from sandbox.model.shapes import evaluate
 from sandbox.model.wire_points import along
 from sandbox.physics.geometry.quadrature import Antiderivative
-from sandbox.physics.geometry.quintic_curve import course
+from sandbox.physics.geometry.quintic_curve import points_along
 from sandbox.physics.joints.exact.angle_equations import (
     AngleEquation,
     RackEquation,
@@ -92,7 +92,7 @@ class JointEquations:
         if isinstance(spec, Slot):
             way = complex(*evaluate(spec.direction, values))
             return [], (SlotEquation(name, path[0], path[1], -1j * way / abs(way)),)
-        wire = WireEquation(name, path[0], course(spec, values) - self._origin)
+        wire = WireEquation(name, path[0], points_along(spec, values) - self._origin)
         joints.wires[name] = wire
         joints.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
         return [], (wire,)

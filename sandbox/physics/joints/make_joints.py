@@ -257,16 +257,16 @@ def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:
 
 def _origin(bodies: Mapping[str, pymunk.Body]) -> complex:
     """Return the origin of positions [m]: the centre of the bodies, if that is far away, else 0."""
-    places = [body.position for body in bodies.values()]
-    middle = complex(fsum(p.x for p in places), fsum(p.y for p in places)) / len(places)
+    positions = [body.position for body in bodies.values()]
+    middle = complex(fsum(p.x for p in positions), fsum(p.y for p in positions)) / len(positions)
     return middle if abs(middle) > FAR else 0j
 
 
 def _coordinates(bodies: Mapping[str, pymunk.Body], origin: complex) -> Coordinates:
     """Return the positions at the start, the plane itself last."""
-    places = [complex(*body.position) - origin for body in bodies.values()]
+    positions = [complex(*body.position) - origin for body in bodies.values()]
     angles = [body.angle for body in bodies.values()]
-    return Coordinates.of(np.array([*places, 0j]), np.array([*angles, 0.0]))
+    return Coordinates.of(np.array([*positions, 0j]), np.array([*angles, 0.0]))
 
 
 def make_string(

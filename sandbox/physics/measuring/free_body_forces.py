@@ -83,18 +83,20 @@ class FreeBodies:
         kick = self._kick(row)
         if not kick.mass or not np.isfinite(kick.acceleration).all():
             return None
-        known = [acting for acting in self._known_forces(kick) if acting.magnitude or acting.couple]
-        contact_forces = self._contact_forces(kick, known)
+        known_forces = [
+            acting for acting in self._known_forces(kick) if acting.magnitude or acting.couple
+        ]
+        contact_forces = self._contact_forces(kick, known_forces)
         for press in contact_forces:
-            known += press.acting(self._names[press.row], kick.center)
-        remaining = self._remaining_force(body, kick, known)
+            known_forces += press.acting(self._names[press.row], kick.center)
+        remaining = self._remaining_force(body, kick, known_forces)
         x, y, spin = kick.acceleration.tolist()
         direct = self._scene.direct
         jerked = direct is not None and bool(direct.drifts.jerked[row])
-        struck = jerked or kick.struck or any(acting.name == IMPACT for acting in known)
+        struck = jerked or kick.struck or any(acting.name == IMPACT for acting in known_forces)
         return FreeBody(
             body=body, t=kick.step.t, mass=kick.mass, moment=kick.moment, center=kick.center,
-            forces=(*known, *remaining), acceleration=(x, y), angular_acceleration=spin,
+            forces=(*known_forces, *remaining), acceleration=(x, y), angular_acceleration=spin,
             surface_directions=_surface_directions(contact_forces), struck=struck,
             is_completed=bool(remaining),
         )  # fmt: skip
@@ -106,10 +108,10 @@ class FreeBodies:
             np.broadcast_to(scene.mass_fraction(law_motion.t), len(self._names))[row]
         )
         x, y = step.snapshot.position[row].tolist()
-        rates = _accelerations(step, row, is_constrained=scene.joints.together is not None)
+        acceleration = _accelerations(step, row, is_constrained=scene.joints.together is not None)
         mass = float(scene.mass[row]) * mass_fraction
         moment = float(scene.moment[row]) * mass_fraction
-        return _Kick(row, step, law_motion, (x, y), mass, moment, rates)
+        return _Kick(row, step, law_motion, (x, y), mass, moment, acceleration)
 
     def _known_forces(self, kick: "_Kick") -> Iterator[AppliedForce]:
         """Yield the forces of gravity, laws, joints and sequential impacts."""
@@ -148,11 +150,11 @@ class FreeBodies:
 
     def _force_name(self, joint: str) -> str:
         """Return the name of a joint's force; the joint of bodies that stuck has no name."""
-        known = self._world.level.joints.get(joint)
-        return known.kind.force_name if known else "reaction"
+        spec = self._world.level.joints.get(joint)
+        return spec.kind.force_name if spec else "reaction"
 
     def _contact_forces(
-        self, kick: "_Kick", known: Sequence[AppliedForce]
+        self, kick: "_Kick", known_forces: Sequence[AppliedForce]
     ) -> Sequence[ContactForce]:
         direct, contacts = self._scene.direct, kick.contacts
         wrenches = direct.wrenches(kick.row) if direct else None
@@ -163,7 +165,7 @@ class FreeBodies:
         )
         if not kick.moment:
             return loosened_forces
-        torque = sum(acting.torque(kick.center) for acting in known)
+        torque = sum(acting.torque(kick.center) for acting in known_forces)
         torque += sum(float(press.normal[2] + press.friction[2]) for press in loosened_forces)
         return with_torque(loosened_forces, kick.moment * float(kick.acceleration[2]) - torque)
 
@@ -175,7 +177,7 @@ class FreeBodies:
                 yield from ((other, lost) for lost in stick.freed.values())
 
     def _remaining_force(
-        self, body: str, kick: "_Kick", known: Sequence[AppliedForce]
+        self, body: str, kick: "_Kick", known_forces: Sequence[AppliedForce]
     ) -> Sequence[AppliedForce]:
         """Return the remaining force, of pymunk's own joints and a hand."""
         joints = [name for name, bodies in self._pymunk_joints.items() if body in bodies]
@@ -183,9 +185,12 @@ class FreeBodies:
         if not (joints or is_held):
             return ()
         x, y = (kick.mass * kick.acceleration[:2]).tolist()
-        remaining = x - sum(a.force[0] for a in known), y - sum(a.force[1] for a in known)
+        remaining = (
+            x - sum(a.force[0] for a in known_forces),
+            y - sum(a.force[1] for a in known_forces),
+        )
         torque = kick.moment * float(kick.acceleration[2]) - sum(
-            a.torque(kick.center) for a in known
+            a.torque(kick.center) for a in known_forces
         )
         name = " and ".join([*([HAND] if is_held else []), *(["reaction"] if joints else [])])
         return (AppliedForce.of(name, ", ".join(joints), remaining, torque, kick.center, None),)

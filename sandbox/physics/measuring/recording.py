@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
-from sandbox.model.events import MOST_MEETINGS, Passage, crossing_of
 from sandbox.model.expressions import Array, Values
+from sandbox.model.instants import MOST_MEETINGS, Passage, crossing_of
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured
 from sandbox.model.quantities import TIME, aggregated, quantity

@@ -9,7 +9,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import Disc
 from sandbox.physics.engine.pymunk_bodies import local_points
 from sandbox.physics.geometry.depth_in_polygon import depth
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 from sandbox.physics.state.snapshot import Snapshot
 
 
@@ -26,7 +26,7 @@ def sensing(row: int, sensor: int, spec: Body, values: Values) -> Callable[[Snap
     return lambda s: depth(_inside(s, row, sensor), corners)
 
 
-def _inside(s: Snapshot, row: int, sensor: int) -> Plane:
+def _inside(s: Snapshot, row: int, sensor: int) -> Complexes:
     """Return the position of a body relative to the sensor, in its axes: (...) [m]."""
     apart = s.position[..., row, :] - s.position[..., sensor, :]
     return (apart[..., 0] + 1j * apart[..., 1]) * np.exp(-1j * s.angle[..., sensor])

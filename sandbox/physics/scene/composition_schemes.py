@@ -140,7 +140,7 @@ def substeps(shares: Composition, dt: float) -> list[Substep]:
     >>> [round(part.drift, 3) for part in substeps(SUZUKI, 0.5)]
     [0.207, 0.207, -0.329, 0.207, 0.207]
     """
-    places = [*list(accumulate(shares.drifts))[:-1], 1]
+    ends = [*list(accumulate(shares.drifts))[:-1], 1]
     after = (*shares.drifts[1:], shares.drifts[0])
-    rows = zip(shares.drifts, places, shares.kicks, after, strict=True)
+    rows = zip(shares.drifts, ends, shares.kicks, after, strict=True)
     return [Substep(d * dt, ahead, k * dt, f * dt) for d, ahead, k, f in rows]

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from sandbox.model.expressions import Array
 from sandbox.physics.state.motion import Motion
 
-Plane = NDArray[np.complex128]
+Complexes = NDArray[np.complex128]
 """Points or vectors of the plane, as x + iy."""
 
-_NOTHING: Plane = np.zeros((), dtype=complex)
+_NOTHING: Complexes = np.zeros((), dtype=complex)
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,7 @@ class Anchor:
     body: int | None
     point: complex = 0j
 
-    def kinematics(self, motion: Motion) -> tuple[Plane, Plane, Plane]:
+    def kinematics(self, motion: Motion) -> tuple[Complexes, Complexes, Complexes]:
         """Return its position [m], velocity [m/s], and lever arm from the centre of mass [m]."""
         position, arm = self.position_and_arm(motion)
         if self.body is None:
@@ -36,7 +36,7 @@ class Anchor:
             velocity = velocity + 1j * motion.angular_velocity[..., self.body] * arm
         return position, velocity, arm
 
-    def position_and_arm(self, motion: Motion) -> tuple[Plane, Plane]:
+    def position_and_arm(self, motion: Motion) -> tuple[Complexes, Complexes]:
         """Return its position [m], and its lever arm from the centre of mass [m]."""
         if self.body is None:
             return np.asarray(self.point), _NOTHING
@@ -47,7 +47,7 @@ class Anchor:
         return position + arm, arm
 
 
-def _plane(vectors: Array) -> Plane:
+def _plane(vectors: Array) -> Complexes:
     """Return vectors as x + iy: (...) of (..., 2)."""
     return np.ascontiguousarray(vectors).view(complex)[..., 0][()]
 

@@ -1,1 +1,1 @@
-"""The world: a running scene, its drifts and kicks, and the stages of a step."""
+"""The world: a running scene, its drifts and kicks, and the plugins of a step."""

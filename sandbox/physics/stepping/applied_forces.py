@@ -209,9 +209,9 @@ def _path(
     nodes = [(0.0, at(last.state[:, 3:]))]
     if landed.first_fraction < 1:
         nodes.append((t, at(landed.stages_before[-1].velocity)))
-    for _, _, stage in landed.kicks_between[:-1]:
-        t += stage.duration
-        nodes.append((t, at(stage.velocity)))
+    for _, _, plugin in landed.kicks_between[:-1]:
+        t += plugin.duration
+        nodes.append((t, at(plugin.velocity)))
     nodes.append((dt, at(reading.state[:, 3:])))
     times = np.array([time for time, _ in nodes])
     weights = np.convolve(np.diff(times), (0.5, 0.5)) / dt

@@ -11,16 +11,16 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import NO_CONTACTS
-from sandbox.physics.stepping.stage import Setup, Stages
 from sandbox.physics.stepping.step_observer import Observation, Observer
+from sandbox.physics.stepping.step_plugin import Plugins, Setup
 
 
-def start(setup: Setup, stages: Stages, observer: Observer) -> Observation:
+def start(setup: Setup, plugins: Plugins, observer: Observer) -> Observation:
     """Return the observed initial state of a run; for leapfrog, also take the first half kick."""
     scene, kicks = setup.scene, setup.kicks
     velocity = scene.batch.velocity()
     if setup.leapfrog:
-        observed = _half_kick(setup, stages, observer, velocity)
+        observed = _half_kick(setup, plugins, observer, velocity)
     else:
         unknown = np.full_like(velocity, np.nan)
         scene.joints.time(kicks.clock.dt, kicks.clock.dt)
@@ -29,7 +29,7 @@ def start(setup: Setup, stages: Stages, observer: Observer) -> Observation:
     return observed
 
 
-def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array) -> Observation:
+def _half_kick(setup: Setup, plugins: Plugins, observer: Observer, velocity: Array) -> Observation:
     scene, kicks, forces = setup.scene, setup.kicks, setup.forces
     duration = kicks.parts[-1].kick / 2
     with kicks.hold(first=True):
@@ -38,7 +38,7 @@ def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array
             post_kick_velocity = direct.drifts.post_kick_velocity
         pre_kick_velocity = velocity + scene.sequence.last.jump if scene.sequence else velocity
         acceleration = (post_kick_velocity - pre_kick_velocity) / duration
-        for started in stages.started:
+        for started in plugins.started:
             if (refined := started(pre_kick_velocity, acceleration)) is not None:
                 acceleration, post_kick_velocity = refined, pre_kick_velocity + refined * duration
         contacts, state = observer.contacts(), scene.batch.state()

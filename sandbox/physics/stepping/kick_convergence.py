@@ -81,11 +81,11 @@ class Settling:
         cyclic_rounding = UNSETTLED * rounding
         if self._solves_positions:
             from sandbox.physics.contacts.direct.solving.rounding_residual import (
-                left_of_places,
                 spread,
+                velocity_rounding,
             )
 
-            residual = left_of_places(self._batch.state()[:, :3], self._bodies, kick.drift)
+            residual = velocity_rounding(self._batch.state()[:, :3], self._bodies, kick.drift)
             cyclic_rounding = max(cyclic_rounding * spread(self._bodies), residual)
         return rounding, cyclic_rounding
 

@@ -5,7 +5,7 @@ import numpy as np
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.state.simulation_errors import SimulationError
-from sandbox.physics.stepping.stage import Begin
+from sandbox.physics.stepping.step_plugin import Begin
 from sandbox.physics.stepping.world import World
 
 

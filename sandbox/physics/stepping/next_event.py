@@ -17,7 +17,7 @@ from sandbox.physics.events.switching_events import NEAR, Part, crosses, within
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping.stage import Setup
+from sandbox.physics.stepping.step_plugin import Setup
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import KickBetweenParts

@@ -15,11 +15,11 @@ from sandbox.model.expressions import Array
 from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping.stage import Setup
+from sandbox.physics.stepping.step_plugin import Setup
 
 
 def take_over(setup: Setup, now: Snapshot, steps: int, old: Scene) -> None:
-    """Put a scene into the state of an old world, before the stages of the new one are made.
+    """Put a scene into the state of an old world, before the plugins of the new one are made.
 
     Time continues from the number of steps that the old world has taken. Bodies and joints that its
     scene has welded, tied, cut or switched stay so.
@@ -31,7 +31,7 @@ def take_over(setup: Setup, now: Snapshot, steps: int, old: Scene) -> None:
 
 
 def begin_late(setup: Setup, now: Snapshot, steps: int, rows: Mapping[str, int]) -> None:
-    """Let a scene begin at its level's start, but at a later step, before its stages are made.
+    """Let a scene begin at its level's start, but at a later step, before its plugins are made.
 
     Time continues from the number of steps that the old world has taken. `rows` are those of its
     bodies; those that follow formulas of time keep its state, `now`.

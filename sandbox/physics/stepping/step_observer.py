@@ -13,7 +13,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping.stage import Setup, Stages
+from sandbox.physics.stepping.step_plugin import Plugins, Setup
 
 if TYPE_CHECKING:
     from sandbox.physics.energy.step_record import StepRecord
@@ -34,15 +34,15 @@ class Observation(NamedTuple):
 
 
 class Observer:
-    """Makes snapshots of a scene, with contacts and impacts that stages report; n bodies."""
+    """Makes snapshots of a scene, with contacts and impacts that plugins report; n bodies."""
 
-    def __init__(self, setup: Setup, stages: Stages) -> None:
+    def __init__(self, setup: Setup, plugins: Plugins) -> None:
         self._scene, self._forces, self._kicks = setup.scene, setup.forces, setup.kicks
         self._leapfrog, effects = setup.leapfrog, setup.level.effects
         self._has_contacts = effects.contact is not None
         self._impact_solver = setup.scene.sequence or setup.scene.direct
         self._has_restitution = effects.restitution is not None
-        self._stages = stages
+        self._plugins = plugins
         self._no_forces = np.zeros(len(setup.scene.mass))
         self._no_forces.setflags(write=False)
 
@@ -57,7 +57,7 @@ class Observer:
         ):  # landing bodies have changed them since
             state[:, 3:] = direct.drifts.post_kick_velocity
         rates = self._rates(state, pre_kick_velocity, contacts)
-        if (impacts := self._stages.impacts) and (found := impacts()):
+        if (impacts := self._plugins.impacts) and (found := impacts()):
             from sandbox.physics.events.located_impacts import as_contacts
 
             contacts = as_contacts(found).followed_by(contacts)
@@ -93,7 +93,7 @@ class Observer:
             trail=kicks.trail or (),
             hold=forces.hand.hold if forces.hand else None,
         )
-        for add in self._stages.record:
+        for add in self._plugins.record:
             record = add(record)
         return record
 
@@ -102,7 +102,7 @@ class Observer:
         if not self._has_contacts:
             return NO_CONTACTS
         touches = self._scene.joints.touches
-        contacts = (self._stages.contacts or self._scene.batch.contacts)()
+        contacts = (self._plugins.contacts or self._scene.batch.contacts)()
         return touches.with_latest(contacts) if touches else contacts
 
     def _rates(self, state: Array, before: Array, contacts: Contacts) -> tuple[Array, Array]:

@@ -1,7 +1,7 @@
 """The world: a running level, step by step.
 
-A step is a drift and a kick (`drifts_and_kicks.py`). Parts that only some levels need are stages:
-for their contract see `stage.py`, for a list `stages/register.py`.
+A step is a drift and a kick (`drifts_and_kicks.py`). Parts that only some levels need are plugins:
+for their contract see `step_plugin.py`, for a list `plugins/register.py`.
 """
 
 from collections.abc import Mapping
@@ -16,9 +16,9 @@ from sandbox.physics.guarding.watch_choice import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.initial_state import start
-from sandbox.physics.stepping.stage import Begin, Stages, set_up
-from sandbox.physics.stepping.stages.register import declared
+from sandbox.physics.stepping.plugins.register import declared
 from sandbox.physics.stepping.step_observer import Observer
+from sandbox.physics.stepping.step_plugin import Begin, Plugins, set_up
 
 if TYPE_CHECKING:
     from sandbox.physics.energy.step_record import StepRecord
@@ -46,8 +46,8 @@ class World:
         self.scene, self.disturbed = make_scene(level, values, stepping), False
         self._setup = set_up(level, values, stepping, self.scene, begin)
         self.kicks = self._setup.kicks
-        self._stages = Stages(list(declared(self._setup)), self.kicks)
-        self._observer = Observer(self._setup, self._stages)
+        self._plugins = Plugins(list(declared(self._setup)), self.kicks)
+        self._observer = Observer(self._setup, self._plugins)
         self._ended: Exception | None = None
         self._start()
 
@@ -88,7 +88,7 @@ class World:
     @property
     def impacts(self) -> list[tuple[Pair, float]]:
         """The located impacts between the last two steps: the pair, and the time [s]."""
-        direct, located, names = self.scene.direct, self._stages.impacts, list(self.scene.bodies)
+        direct, located, names = self.scene.direct, self._plugins.impacts, list(self.scene.bodies)
         struck = direct.drifts.impacts if direct else [i[:2] for i in located()] if located else ()
         t = self.kicks.clock.after(-1)
         return [(frozenset(names[b] for b in pair), t + time) for pair, time in struck]
@@ -96,20 +96,20 @@ class World:
     @property
     def hooks(self) -> int:
         """The number of Python calls in a step, if each pair that needs calls has one contact."""
-        return self.kicks.calls + self._stages.calls + self.scene.pair_callbacks
+        return self.kicks.calls + self._plugins.calls + self.scene.pair_callbacks
 
     def step(self) -> None:
         """Take one step without observing it, at the cost of pymunk's own step alone.
 
         Raises `SimulationError` if a joint cannot be satisfied.
         """
-        kicks, stages = self.kicks, self._stages
+        kicks, plugins = self.kicks, self._plugins
         try:
-            for act in stages.before_drift:
+            for act in plugins.before_drift:
                 act()
             kicks.clock.steps += 1
             kicks.take()
-            for act in stages.after_step:
+            for act in plugins.after_step:
                 act()
         except Exception as error:  # noqa: BLE001 (any error is explained)
             self._stop(error)
@@ -148,17 +148,17 @@ class World:
 
     def _start(self) -> None:
         """Observe the initial state, and take the first half kick."""
-        self._observation = now = start(self._setup, self._stages, self._observer)
+        self._observation = now = start(self._setup, self._plugins, self._observer)
         self._watch = make_watch(self, now.snapshot, now.contacts, now.pre_kick_velocity)
 
     def _observe(self, velocity: Array) -> None:
         """Observe the state, and let the watchdog check it."""
-        stages = self._stages
+        plugins = self._plugins
         try:
             self._observation = now = self._observer.observe(
-                stages.pre_kick_velocity() if stages.pre_kick_velocity else velocity
+                plugins.pre_kick_velocity() if plugins.pre_kick_velocity else velocity
             )
-            cut, disturbed = bool(stages.impacts and stages.impacts()), self.disturbed
+            cut, disturbed = bool(plugins.impacts and plugins.impacts()), self.disturbed
             self._watch.check(
                 now.snapshot, now.contacts, now.pre_kick_velocity, disturbed=disturbed, cut=cut
             )
@@ -182,12 +182,12 @@ class World:
 
         Raises `SimulationError` if the scene cannot continue with leapfrog, which a hand needs.
         """
-        from sandbox.physics.stepping import hand
+        from sandbox.physics.stepping import grabbing_and_placing
 
         if self.kicks.composed:
-            hand.require_leapfrog(self._setup, self.snapshot)
+            grabbing_and_placing.require_leapfrog(self._setup, self.snapshot)
             self.place({})
-        hand.grab(self._setup, body, point)
+        grabbing_and_placing.grab(self._setup, body, point)
         self.disturbed = True
 
     def drag(self, point: tuple[float, float]) -> None:
@@ -206,9 +206,9 @@ class World:
         Return the new state, from which the run continues as if it had started there. Raises
         `SimulationError` if it cannot continue from there.
         """
-        from sandbox.physics.stepping import hand
+        from sandbox.physics.stepping import grabbing_and_placing
 
-        hand.place(self._setup, self._stages, positions, self.snapshot)
+        grabbing_and_placing.place(self._setup, self._plugins, positions, self.snapshot)
         self.disturbed = True
         try:
             self._start()

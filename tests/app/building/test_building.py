@@ -125,12 +125,12 @@ def test_alt_lets_go_of_the_grid(builder: Builder) -> None:
 
 def test_a_frame_catches_several_and_shift_takes_one_out(builder: Builder) -> None:
     builder.drag((-1.5, -1), (1.5, 1))
-    assert builder.editor.work.chosen == ["left", "right"]
+    assert builder.editor.work.selected_bodies == ["left", "right"]
 
     pygame.key.set_mods(pygame.KMOD_LSHIFT)
     builder.at(-0.6, 0)
     pygame.key.set_mods(pygame.KMOD_NONE)
-    assert builder.editor.work.chosen == ["right"]
+    assert builder.editor.work.selected_bodies == ["right"]
 
 
 def test_what_is_selected_is_nudged_copied_duplicated_and_deleted(builder: Builder) -> None:

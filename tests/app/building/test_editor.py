@@ -6,7 +6,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.building.draft_recovery_choices import offers
+from sandbox.app.building.draft_and_version_choices import choices
 from sandbox.app.building.drafts import OFTEN
 from sandbox.app.building.editor import Editor
 from sandbox.app.window import Window
@@ -86,7 +86,7 @@ def test_redo_goes_through_a_run_to_what_was_drawn_after_it(mine: Builder) -> No
     assert mine.editor.work.draft.text == between
     mine.control("y")
     assert mine.editor.trying.is_shown(mine.person.session)
-    assert mine.editor.trying.redoes(mine.person.session) is not None
+    assert mine.editor.trying.redo_description(mine.person.session) is not None
     mine.control("y")
     assert mine.editor.work.draft.text == last
     assert not mine.editor.trying.is_shown(mine.person.session)
@@ -249,7 +249,7 @@ def test_what_was_not_saved_is_offered_to_the_next_window(mine: Builder) -> None
     after.person.wait(0.1)
 
     assert after.editor.work.draft.text == text
-    assert offers(after.editor, after.person.session) == []
+    assert choices(after.editor, after.person.session) == []
 
 
 def test_a_file_that_was_changed_outside_is_told_and_not_written_over(mine: Builder) -> None:

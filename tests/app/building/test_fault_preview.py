@@ -5,8 +5,8 @@ from time import perf_counter, sleep
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.editing.edits import joints
-from sandbox.editing.edits.joints import Pick
+from sandbox.editing.edits import joint_creation
+from sandbox.editing.edits.joint_creation import Pick
 from sandbox.model.shapes import XY
 from tests.app.building.builder import Builder
 
@@ -67,8 +67,8 @@ def test_a_box_that_is_drawn_over_another_is_marked_while_it_is_stretched(builde
 def test_a_rod_that_repeats_another_is_marked_while_its_end_is_chosen(builder: Builder) -> None:
     two_boxes(builder)
     ends = Pick((-1.5, 1.5), "box1"), Pick((1.5, 1.5), "box2")
-    builder.editor.work.make(
-        "tie", lambda text, level: joints.add_joint(text, level, "rod", ends), "joints"
+    builder.editor.work.add_parts(
+        "tie", lambda text, level: joint_creation.add_joint(text, level, "rod", ends), "joints"
     )
     builder.tool("join")
     builder.tool("rod")

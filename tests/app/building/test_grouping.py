@@ -31,7 +31,7 @@ def mine(person: Person, tmp_path: Path) -> Builder:
 
 
 def chosen(builder: Builder) -> set[str]:
-    return set(builder.editor.work.chosen)
+    return set(builder.editor.work.selected_bodies)
 
 
 def place(builder: Builder, name: str) -> tuple[float, float]:

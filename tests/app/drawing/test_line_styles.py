@@ -5,12 +5,12 @@ from itertools import combinations
 import pygame
 import pytest
 
-from sandbox.app import run_legend
 from sandbox.app.drawing import line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import energy_graph
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.race import scheme_comparison
+from sandbox.app.stage import run_legend
 from tests.app.person import Person
 from tests.app.scenes import falling
 
@@ -20,7 +20,7 @@ SIZE = (40, 16)
 def drawn(which: int) -> bytes:
     """Return the shape of a marker."""
     surface = pygame.Surface((16, 16))
-    line_styles.sign(surface, which, (255, 255, 255), (8, 8))
+    line_styles.marker(surface, which, (255, 255, 255), (8, 8))
     return pygame.image.tobytes(surface, "RGB")
 
 

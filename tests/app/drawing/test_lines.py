@@ -18,7 +18,7 @@ def surface() -> pygame.Surface:
 
 
 def test_a_line_keeps_its_way_where_it_is_cut() -> None:
-    a, b = lines.cut([(0.0, 10.0), (4e6, 8e6 + 10)])[:2]
+    a, b = lines.clip([(0.0, 10.0), (4e6, 8e6 + 10)])[:2]
 
     assert a == (0.0, 10.0)
     assert b == pytest.approx(((lines.EDGE - 10) / 2, lines.EDGE))
@@ -43,5 +43,5 @@ def test_however_far_out_something_reaches_it_is_drawn_at_once(
 
     for _ in range(50):
         corners = [somewhere() for _ in range(4)]
-        assert all(lines.near([corner]) for corner in lines.cut(corners))
+        assert all(lines.are_close([corner]) for corner in lines.clip(corners))
         draw(surface, RED, corners, *([2] if draw is lines.path else []))

@@ -6,12 +6,12 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import run_legend
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.panel import EffectsPage
 from sandbox.app.runs.session import Session
+from sandbox.app.stage import run_legend
 from sandbox.model.errors import SandboxError
 from sandbox.model.level_catalog import find
 from sandbox.model.levels_with_changed_effects import EffectError

@@ -11,7 +11,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import CAPACITY
 from sandbox.app.pages.accuracy.background_study import Studying
 from sandbox.app.pages.graph.card import graphs, measured, span_of

@@ -10,11 +10,12 @@ import sandbox.app.pages
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import PANEL
 from sandbox.app.pages import register
-from sandbox.app.pages.page import Desk, Page, Row
+from sandbox.app.pages.page import Desk, Page
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import tabs
 from sandbox.app.runs.session import Session
+from sandbox.app.stage.run_legend import LegendRow
 from sandbox.app.widgets.scrolling_area import Panel, Sheet
 from tests.app import scenes
 from tests.app.person import Person
@@ -178,7 +179,7 @@ def _panel(_sheet: Sheet, _desk: Desk) -> Panel:
     raise AssertionError
 
 
-def _none(_session: Session) -> list[Row]:
+def _none(_session: Session) -> list[LegendRow]:
     return []
 
 

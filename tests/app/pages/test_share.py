@@ -211,6 +211,6 @@ def test_where_a_film_was_saved_stays_on_the_page(person: Person) -> None:
     shown = played(person)
     before = pygame.surfarray.array3d(shown._drawn())
 
-    person.window.workers.of(Filming).told = "saved projectile.gif"
+    person.window.workers.of(Filming).message = "saved projectile.gif"
 
     assert not np.array_equal(before, pygame.surfarray.array3d(shown._drawn()))

@@ -113,7 +113,7 @@ def test_a_lost_run_is_offered_above_the_cards_and_gone_on_with(person: Person) 
     (left,) = left_runs(3)
     assert draft_strip.summary(left).startswith("Not saved: the run of Atwood machine, ")
 
-    person.click(person.window.panels.home.strip.place(0))
+    person.click(person.window.panels.home.strip.rect_of(0))
     until(person, lambda: person.session.level.title == "Atwood machine")
     until(person, lambda: person.session.sought is None)  # computing it takes some frames
 

@@ -17,7 +17,7 @@ from sandbox.model.errors import ValueRangeError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose, load, parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from tests.app import scenes

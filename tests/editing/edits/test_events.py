@@ -3,7 +3,7 @@
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_disc
 from sandbox.editing.edits.events import cut, is_cut
-from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.joint_creation import Pick, add_joint
 from sandbox.editing.text_patches import put
 from sandbox.model.loading import parse
 from sandbox.physics.run import build

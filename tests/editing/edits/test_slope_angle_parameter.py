@@ -10,7 +10,7 @@ from sandbox.editing.bodies_at_start import placed
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_surface
 from sandbox.editing.edits.effects import declare
-from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.joint_creation import Pick, add_joint
 from sandbox.editing.edits.moving_and_aligning import move, turn
 from sandbox.editing.edits.slope_angle_parameter import slope_of, tilt
 from sandbox.editing.snapping import flat_turn, snap_body

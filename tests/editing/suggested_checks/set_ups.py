@@ -6,7 +6,7 @@ from math import copysign, pi, radians
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_disc, add_surface
 from sandbox.editing.edits.effects import declare
-from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.joint_creation import Pick, add_joint
 from sandbox.editing.edits.moving_and_aligning import turn
 from sandbox.editing.edits.rope_wrapping import wrap
 from sandbox.editing.text_patches import put, put_all, remove

@@ -8,7 +8,7 @@ import pytest
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 from sandbox.physics.engine import broadphase
 from sandbox.physics.engine.broadphase import choose_broad_phase
 from sandbox.physics.run import build

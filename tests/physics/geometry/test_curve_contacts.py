@@ -18,7 +18,7 @@ from sandbox.physics.contacts.direct.solver import DirectSolver
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.geometry import curve_contacts
 from sandbox.physics.geometry.arc_contacts import Piece
-from sandbox.physics.geometry.plane_curve import KNOT, Course, Side
+from sandbox.physics.geometry.plane_curve import KNOT, MiddleLine, Side
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
@@ -398,7 +398,7 @@ def test_what_is_far_from_a_stretch_does_not_touch_it(
 ) -> None:
     """Most of what is near the circle around a stretch is told from its nearest knot alone."""
     x = np.linspace(-3, 3, 24 * KNOT + 1)
-    course = Course(x + 0.3j * np.cos(2 * x))
+    middle_line = MiddleLine(x + 0.3j * np.cos(2 * x))
     square = tuple(0.3 * 1j**k for k in range(4))
     other = Piece(1, (0j,), 0.3) if shape == "disc" else Piece(1, square, 0.0, corner=square[0])
     draw, is_far = np.random.default_rng(3), curve_contacts._is_far
@@ -406,22 +406,22 @@ def test_what_is_far_from_a_stretch_does_not_touch_it(
     monkeypatch.setattr(curve_contacts, "_is_far", lambda *args: told.append(is_far(*args)))
     for _ in range(500):
         place = complex(*draw.uniform((-3.5, -1), (3.5, 1))), complex(np.exp(6j * draw.random()))
-        for stretch in course.stretches:
-            piece = Piece(0, (), 0.0, curve=Side(0, course, stretch, 0.01))
+        for stretch in middle_line.stretches:
+            piece = Piece(0, (), 0.0, curve=Side(0, middle_line, stretch, 0.01))
             found = curve_contacts.verdict(piece, other, (0j, 1 + 0j), place)
             assert not (found and told[-1])
     assert sum(told) > len(told) / 2
 
 
-def test_a_course_is_shared_by_a_scene_and_goes_with_its_level() -> None:
-    """A window that opens many levels keeps no courses of those before: 0.5 MB each."""
+def test_a_middle_line_is_shared_by_a_scene_and_goes_with_its_level() -> None:
+    """A window that opens many levels keeps no middle lines of those before: 0.5 MB each."""
     shape = Curve.model_validate_json(json.dumps(curve("p*s", "s**2", -1, 1)))
 
-    course = curve_contacts.course_of(shape, {"p": 1.0})
+    middle_line = curve_contacts.middle_line_of(shape, {"p": 1.0})
 
-    assert curve_contacts.course_of(shape, {"p": 1.0, "q": 2.0}) is course
-    assert curve_contacts.course_of(shape, {"p": 2.0}) is not course
-    kept = ref(curve_contacts.course_of(shape, {"p": 3.0}))
-    del shape, course
+    assert curve_contacts.middle_line_of(shape, {"p": 1.0, "q": 2.0}) is middle_line
+    assert curve_contacts.middle_line_of(shape, {"p": 2.0}) is not middle_line
+    kept = ref(curve_contacts.middle_line_of(shape, {"p": 3.0}))
+    del shape, middle_line
     gc.collect()
     assert kept() is None

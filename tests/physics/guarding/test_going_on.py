@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.loading import parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World

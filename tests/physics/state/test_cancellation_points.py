@@ -9,7 +9,7 @@ import pytest
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 from sandbox.model.translatable_message import Message
 from sandbox.physics.run import build
 from sandbox.physics.state.cancellation_points import cancellable, cancellation_point

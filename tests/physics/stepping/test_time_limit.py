@@ -8,7 +8,7 @@ from itertools import accumulate
 import pytest
 
 from sandbox.model.loading import parse
-from sandbox.model.many_body_levels import crowd
+from sandbox.model.many_body_level_generator import crowd
 from sandbox.physics import run
 from sandbox.physics.measuring import recording
 from sandbox.physics.run import build, simulate

@@ -8,8 +8,8 @@ from validation.stability.families import (
     bounces,
     bullets,
     chains,
+    contact_and_joint_coupling,
     converging_motions,
-    coupled_systems,
     cradles,
     dumbbells,
     exact,
@@ -26,7 +26,7 @@ SEARCHED = (
     structures,
     chains,
     bullets,
-    coupled_systems,
+    contact_and_joint_coupling,
     dumbbells,
 )
 """The families with frontiers."""

@@ -24,9 +24,9 @@ class DeleteTool(Tool):
         self._under: Part | None = None
         self._spot: MousePosition | None = None
 
-    def press(self, spot: MousePosition) -> None:
+    def press(self, mouse: MousePosition) -> None:
         """Delete the part there."""
-        part = self._bench.part_at(spot.pixel)
+        part = self._bench.part_at(mouse.pixel)
         if part is not None:
             name = part[1]
 
@@ -36,9 +36,9 @@ class DeleteTool(Tool):
             self._bench.change(say("delete {names}", names=name), edit)
         self._under = None
 
-    def move(self, spot: MousePosition) -> None:
+    def move(self, mouse: MousePosition) -> None:
         """Find the part that would be deleted."""
-        self._spot, self._under = spot, self._bench.part_at(spot.pixel)
+        self._spot, self._under = mouse, self._bench.part_at(mouse.pixel)
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
         """Mark the part that would be deleted."""

@@ -55,23 +55,23 @@ class DragTool(Tool, ABC):
         one, other = self._start.point, self._reached(self._start, self._end)
         return None if self.is_flat(one, other) else Proposed(self.edit(one, other))
 
-    def press(self, spot: MousePosition) -> None:
+    def press(self, mouse: MousePosition) -> None:
         """Set the first point."""
         if self._start is None:
-            self._start = spot
-        self._end = spot
+            self._start = mouse
+        self._end = mouse
 
-    def move(self, spot: MousePosition) -> None:
+    def move(self, mouse: MousePosition) -> None:
         """Move the second point of the preview."""
-        self._end = spot
+        self._end = mouse
 
-    def release(self, spot: MousePosition) -> None:
+    def release(self, mouse: MousePosition) -> None:
         """Make the shape if the mouse has moved; else a second click makes it."""
-        if self._start is None or dist(spot.pixel, self._start.pixel) < STILL:
+        if self._start is None or dist(mouse.pixel, self._start.pixel) < STILL:
             return
-        one, other = self._start.point, self._reached(self._start, spot)
+        one, other = self._start.point, self._reached(self._start, mouse)
         self.cancel()
-        self._bench.make(say(self.said), self.edit(one, other))
+        self._bench.add_parts(say(self.said), self.edit(one, other))
 
     def cancel(self) -> None:
         """Forget the first point."""
@@ -84,15 +84,15 @@ class DragTool(Tool, ABC):
         one, other = self._start.point, self._reached(self._start, self._end)
         camera = self._bench.camera
         shape_preview.outline(surface, camera, self.corners(one, other), closed=True)
-        shape_preview.dots(surface, camera, [one])
-        shape_preview.measure(surface, pen, self._end.pixel, self.measured(one, other))
+        shape_preview.mark_points(surface, camera, [one])
+        shape_preview.write_measure(surface, pen, self._end.pixel, self.measured(one, other))
 
     def _reached(self, start: MousePosition, end: MousePosition) -> XY:
         """Return the second point [m], on a finer grid if the shape is too small for this one."""
         if not self.is_flat(start.point, end.point):
             return end.point
         fine = grid_step(1 / self._bench.camera.scale) / FINER
-        both = zip(start.pixel, end.pixel, start.point, end.point, end.free, strict=True)
+        both = zip(start.pixel, end.pixel, start.point, end.point, end.unsnapped, strict=True)
         x, y = (
             round(free / fine) * fine if to == at and abs(drawn - begun) >= STILL else to
             for begun, drawn, at, to, free in both

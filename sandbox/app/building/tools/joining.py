@@ -14,9 +14,9 @@ from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import name_in_words
 from sandbox.app.words.language import later, say
-from sandbox.editing.edits import joints
+from sandbox.editing.edits import joint_creation
 from sandbox.editing.edits.edit_result import EditResult
-from sandbox.editing.edits.joints import Pick
+from sandbox.editing.edits.joint_creation import Pick
 from sandbox.editing.foreseen_faults import Proposed
 from sandbox.model.joints import KINDS, Joint
 
@@ -66,13 +66,13 @@ class JoinTool(Tool):
         super().__init__(bench)
         self.kind = kind
         """The kind of joint, as in a level's file."""
-        self._places: list[Pick] = []
+        self._picks: list[Pick] = []
         self._spot: MousePosition | None = None
 
     def use(self, kind: str) -> None:
         """Change the kind of joint."""
         self.kind = kind
-        self._places.clear()
+        self._picks.clear()
 
     @property
     def _clicks(self) -> Clicks:
@@ -81,103 +81,105 @@ class JoinTool(Tool):
     @property
     def busy(self) -> bool:
         """Whether a point is set."""
-        return bool(self._places)
+        return bool(self._picks)
 
     @property
     def hint(self) -> str:
         """A hint at what to do next."""
         hints = self._clicks.hints
-        return hints[min(len(self._places), len(hints) - 1)]
+        return hints[min(len(self._picks), len(hints) - 1)]
 
-    def press(self, spot: MousePosition) -> None:
+    def press(self, mouse: MousePosition) -> None:
         """Set the next point, and make the joint with the last."""
-        if self._clicks.several and self._ends(spot):
+        if self._clicks.several and self._is_double_click(mouse):
             self.finish()
             return
-        self._places = self._with(spot)
-        if self._complete(self._places, spot):
+        self._picks = self._picks_with(mouse)
+        if self._complete(self._picks, mouse):
             self._make()
 
     @property
     def proposed(self) -> Proposed[EditResult] | None:
         """The edit that a click here would make; None if there is nothing here to be joined."""
-        if self._spot is None or (self._clicks.several and self._ends(self._spot)):
+        if self._spot is None or (self._clicks.several and self._is_double_click(self._spot)):
             return None
-        places = self._with(self._spot)
+        places = self._picks_with(self._spot)
         makes = self._complete(places, self._spot) and any(place.body for place in places)
-        return self._tie(places) if makes else None
+        return self._edit(places) if makes else None
 
-    def _tie(self, places: Sequence[Pick]) -> Proposed[EditResult]:
+    def _edit(self, places: Sequence[Pick]) -> Proposed[EditResult]:
         """Return the edit that makes the joint."""
-        edit = partial(joints.add_joint, kind=self.kind, chosen=tuple(places))
+        edit = partial(joint_creation.add_joint, kind=self.kind, chosen=tuple(places))
         return Proposed(edit, {place.body for place in places if place.body})
 
-    def _with(self, spot: MousePosition) -> list[Pick]:
+    def _picks_with(self, mouse: MousePosition) -> list[Pick]:
         """Return the points, with the one that a click here would add."""
-        found = self._bodies_at(spot)
+        found = self._bodies_at(mouse)
         if len(self._clicks.hints) == 1:
-            return [Pick(spot.point, body) for body in (*found, None, None)[:2]]
-        return [*self._places, Pick(spot.point, found[0] if found else None)]
+            return [Pick(mouse.point, body) for body in (*found, None, None)[:2]]
+        return [*self._picks, Pick(mouse.point, found[0] if found else None)]
 
-    def _complete(self, places: Sequence[Pick], spot: MousePosition) -> bool:
+    def _complete(self, places: Sequence[Pick], mouse: MousePosition) -> bool:
         """Return whether the last point, clicked here, makes the joint."""
-        ends = not self._clicks.several or (places[-1].body is not None and not spot.shift)
+        ends = not self._clicks.several or (places[-1].body is not None and not mouse.shift)
         return ends and len(places) >= max(2, len(self._clicks.hints))
 
-    def _bodies_at(self, spot: MousePosition) -> list[str]:
+    def _bodies_at(self, mouse: MousePosition) -> list[str]:
         """Return the moving bodies at a point, the topmost first."""
         sketch, reach = self._bench.sketch, ON / self._bench.camera.scale
         return [
             name
             for name, body in reversed(list(sketch.bodies.items()))
-            if body.outline.moves and body.covers(spot.point, reach)
+            if body.outline.moves and body.covers(mouse.point, reach)
         ]
 
-    def _ends(self, spot: MousePosition) -> bool:
+    def _is_double_click(self, mouse: MousePosition) -> bool:
         """Return whether a click is the second of a double click."""
-        if len(self._places) < len(self._clicks.hints):
+        if len(self._picks) < len(self._clicks.hints):
             return False
-        last = self._bench.camera.to_screen(self._places[-1].point)
-        return dist(last, self._bench.camera.to_screen(spot.point)) < TOGETHER
+        last = self._bench.camera.to_screen(self._picks[-1].point)
+        return dist(last, self._bench.camera.to_screen(mouse.point)) < TOGETHER
 
-    def move(self, spot: MousePosition) -> None:
+    def move(self, mouse: MousePosition) -> None:
         """Move the end of the preview."""
-        self._spot = spot
+        self._spot = mouse
 
     def finish(self) -> None:
         """Make the joint, if it has enough points."""
-        if self._clicks.several and len(self._places) >= len(self._clicks.hints):
+        if self._clicks.several and len(self._picks) >= len(self._clicks.hints):
             self._make()
 
     def _make(self) -> None:
-        picks = tuple(self._places)
-        self._places.clear()
+        picks = tuple(self._picks)
+        self._picks.clear()
         self._spot = None  # nothing is proposed on top of this joint until the mouse moves
         first, second = (
             name_in_words(pick.body) if pick.body else say("the plane")
             for pick in (picks[0], picks[-1])
         )
-        self._bench.tell(say("Tied: {first} to {second}", first=first, second=second))
+        self._bench.show_message(say("Tied: {first} to {second}", first=first, second=second))
         effects = self._bench.level.effects
         if self.kind == "motor" and effects.contact and effects.friction is None:
-            self._bench.tell(say("Without the effect 'friction', a wheel that it drives slips"))
-        said = say("tie a {joint}", joint=say(self.kind))
-        self._bench.make(said, self._tie(picks).edit, "joints")
+            self._bench.show_message(
+                say("Without the effect 'friction', a wheel that it drives slips")
+            )
+        caption = say("tie a {joint}", joint=say(self.kind))
+        self._bench.add_parts(caption, self._edit(picks).edit, "joints")
 
     def cancel(self) -> None:
         """Remove the last point."""
-        if self._places:
-            self._places.pop()
+        if self._picks:
+            self._picks.pop()
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
         """Draw the points, and the line to the mouse with its length."""
-        if not self._places or self._spot is None:
+        if not self._picks or self._spot is None:
             return
         camera, end = self._bench.camera, self._spot.point
-        points = [place.point for place in self._places]
+        points = [place.point for place in self._picks]
         shape_preview.outline(surface, camera, [*points, end])
-        shape_preview.dots(surface, camera, points)
-        shape_preview.measure(
+        shape_preview.mark_points(surface, camera, points)
+        shape_preview.write_measure(
             surface, pen, self._spot.pixel, shape_preview.metres(dist(points[-1], end))
         )
 

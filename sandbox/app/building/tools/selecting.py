@@ -34,7 +34,7 @@ of more, the frame is drawn."""
 NOWHERE = SnappedPoint((0.0, 0.0), "")
 
 
-class Doing(Enum):
+class DragKind(Enum):
     """The action while the button is held."""
 
     NOTHING = auto()
@@ -45,9 +45,9 @@ class Doing(Enum):
 
 
 SAID = {
-    Doing.MOVING: later("move"),
-    Doing.TURNING: later("turn"),
-    Doing.RESIZING: later("resize"),
+    DragKind.MOVING: later("move"),
+    DragKind.TURNING: later("turn"),
+    DragKind.RESIZING: later("resize"),
 }
 """The descriptions of the edits."""
 
@@ -60,7 +60,7 @@ class SelectTool(Tool):
 
     def __init__(self, bench: EditedLevel) -> None:
         super().__init__(bench)
-        self._doing = Doing.NOTHING
+        self._doing = DragKind.NOTHING
         self._start: MousePosition | None = None
         self._now: MousePosition | None = None
         self._handle: Handle | None = None
@@ -70,7 +70,7 @@ class SelectTool(Tool):
     @property
     def busy(self) -> bool:
         """Whether something is being dragged."""
-        return self._doing is not Doing.NOTHING
+        return self._doing is not DragKind.NOTHING
 
     @property
     def hint(self) -> str:
@@ -86,47 +86,47 @@ class SelectTool(Tool):
         if now is None or self._start is None or dist(now.pixel, self._start.pixel) < STILL:
             return None
         match self._doing:
-            case Doing.MOVING if moved and self._way.point != (0.0, 0.0):
+            case DragKind.MOVING if moved and self._way.point != (0.0, 0.0):
                 return Proposed(
                     partial(moving_and_aligning.move, names=moved, by=self._way.point), moved
                 )
-            case Doing.TURNING if self._held and (angle := self._turn):
+            case DragKind.TURNING if self._held and (angle := self._turn):
                 return _turning(self._held, angle)
-            case Doing.RESIZING if body and self._handle:
+            case DragKind.RESIZING if body and self._handle:
                 return _resizing(body, self._handle, now.point)
         return None
 
-    def press(self, spot: MousePosition) -> None:
+    def press(self, mouse: MousePosition) -> None:
         """Start dragging a handle, a part, or a rubber band."""
         bench = self._bench
-        self._start = self._now = spot
+        self._start = self._now = mouse
         self._way = NOWHERE
         if bodies := self._held:
             self._handle = selection_handles.at(
-                selection_handles.of(bodies, bench.camera), spot.pixel
+                selection_handles.of(bodies, bench.camera), mouse.pixel
             )
             if self._handle is not None:
                 turning = self._handle.index == selection_handles.TURN
-                self._doing = Doing.TURNING if turning else Doing.RESIZING
+                self._doing = DragKind.TURNING if turning else DragKind.RESIZING
                 return
-        part = bench.part_at(spot.pixel)
+        part = bench.part_at(mouse.pixel)
         if part is None:
-            self._doing = Doing.CATCHING
+            self._doing = DragKind.CATCHING
             return
         group = bench.with_group(part)
         self._again = part if set(group) == set(bench.selected) else None
-        self._choose(group, more=spot.shift)
-        self._doing = Doing.MOVING
+        self._choose(group, more=mouse.shift)
+        self._doing = DragKind.MOVING
         bench.ignored = frozenset(self._moved)
 
     def _choose(self, group: tuple[Part, ...], *, more: bool) -> None:
         """Select a part with its group; with `more`, add it to the selection or remove it."""
         chosen = self._bench.selected
-        there = set(group) <= set(chosen)
+        all_chosen = set(group) <= set(chosen)
         if more:
-            kept = tuple(p for p in chosen if p not in group)
-            self._bench.select(kept if there else (*kept, *group))
-        elif not there:
+            rest = tuple(p for p in chosen if p not in group)
+            self._bench.select(rest if all_chosen else (*rest, *group))
+        elif not all_chosen:
             self._bench.select(group)
 
     @property
@@ -141,77 +141,77 @@ class SelectTool(Tool):
     @property
     def _single(self) -> DrawableBody | None:
         """The selected body, if a single one is selected."""
-        held = self._held
-        return held[0] if len(held) == 1 else None
+        handle = self._held
+        return handle[0] if len(handle) == 1 else None
 
     @property
     def _moved(self) -> list[str]:
         """The selected bodies."""
         return [name for family, name in self._bench.selected if family == "bodies"]
 
-    def move(self, spot: MousePosition) -> None:
+    def move(self, mouse: MousePosition) -> None:
         """Drag whatever is held."""
-        if self._start is None or self._doing is Doing.NOTHING:
+        if self._start is None or self._doing is DragKind.NOTHING:
             return
-        self._now = spot
-        if self._doing is Doing.MOVING and dist(spot.pixel, self._start.pixel) >= STILL:
-            (x, y), (a, b) = spot.free, self._start.free
-            self._way = self._snapped((x - a, y - b), spot)
+        self._now = mouse
+        if self._doing is DragKind.MOVING and dist(mouse.pixel, self._start.pixel) >= STILL:
+            (x, y), (a, b) = mouse.unsnapped, self._start.unsnapped
+            self._way = self._snapped((x - a, y - b), mouse)
 
-    def _snapped(self, by: XY, spot: MousePosition) -> SnappedPoint:
+    def _snapped(self, by: XY, mouse: MousePosition) -> SnappedPoint:
         """Return the displacement of the selection [m]; with Alt it does not snap."""
         moved = self._moved
         return (
             self._bench.snapping.moved(moved, by)
-            if moved and not spot.loose
+            if moved and not mouse.is_snapping_off
             else SnappedPoint(by, "")
         )
 
-    def release(self, spot: MousePosition) -> None:
+    def release(self, mouse: MousePosition) -> None:
         """Apply the drag, or select the parts inside the rubber band."""
         start, doing = self._start, self._doing
         if start is None:
             return
-        self.move(spot)
-        still = dist(spot.pixel, start.pixel) < STILL
-        proposed, caught = self.proposed, self._caught()
+        self.move(mouse)
+        still = dist(mouse.pixel, start.pixel) < STILL
+        proposed, caught = self.proposed, self._parts_in_band()
         self.cancel()
-        if doing is Doing.CATCHING:
-            kept = self._bench.selected if spot.shift else ()
+        if doing is DragKind.CATCHING:
+            kept = self._bench.selected if mouse.shift else ()
             found = dict.fromkeys(p for part in caught for p in self._bench.with_group(part))
             self._bench.select((*kept, *(p for p in found if p not in kept)))
         elif still:
-            if doing is Doing.MOVING and self._again and not spot.shift:
+            if doing is DragKind.MOVING and self._again and not mouse.shift:
                 self._bench.select((self._again,))
         elif proposed:
             self._bench.change(say(SAID[doing]), proposed.edit)
 
     def cancel(self) -> None:
         """Cancel the drag."""
-        self._doing, self._handle, self._start, self._now = Doing.NOTHING, None, None, None
+        self._doing, self._handle, self._start, self._now = DragKind.NOTHING, None, None, None
         self._way = NOWHERE
         self._bench.ignored = frozenset()
 
     @property
     def _turn(self) -> float:
         """The rotation of the selection [rad]."""
-        held, start, now = self._held, self._start, self._now
-        if self._doing is not Doing.TURNING or not (held and start and now):
+        handle, start, now = self._held, self._start, self._now
+        if self._doing is not DragKind.TURNING or not (handle and start and now):
             return 0.0
-        center, angle = complex(*selection_handles.middle(held)), self._angle
-        by = phase((complex(*now.free) - center) / ((complex(*start.free) - center) or 1))
-        return by if now.loose else round((angle + by) / STEP) * STEP - angle
+        center, angle = complex(*selection_handles.middle(handle)), self._angle
+        by = phase((complex(*now.unsnapped) - center) / ((complex(*start.unsnapped) - center) or 1))
+        return by if now.is_snapping_off else round((angle + by) / STEP) * STEP - angle
 
     @property
     def _angle(self) -> float:
         """The angle of a single body; of several, 0, as they have none in common [rad]."""
         return self._single.angle if self._single else 0.0
 
-    def _caught(self) -> list[Part]:
+    def _parts_in_band(self) -> list[Part]:
         """Return the parts that are wholly within the rubber band."""
-        if self._doing is not Doing.CATCHING or self._start is None or self._now is None:
+        if self._doing is not DragKind.CATCHING or self._start is None or self._now is None:
             return []
-        (x, y), (a, b) = self._start.free, self._now.free
+        (x, y), (a, b) = self._start.unsnapped, self._now.unsnapped
         if dist(self._start.pixel, self._now.pixel) < STILL:
             return []
         sketch = self._bench.sketch
@@ -228,18 +228,18 @@ class SelectTool(Tool):
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
         """Draw the handles, or the preview of the drag."""
         start, now, body = self._start, self._now, self._single
-        if self._held and self._doing in (Doing.NOTHING, Doing.CATCHING):
+        if self._held and self._doing in (DragKind.NOTHING, DragKind.CATCHING):
             selection_handles.draw(surface, self._held, self._bench.camera)
         if start is None or now is None or dist(start.pixel, now.pixel) < STILL:
             return
         match self._doing:
-            case Doing.CATCHING:
+            case DragKind.CATCHING:
                 self._draw_band(surface, start, now)
-            case Doing.MOVING:
+            case DragKind.MOVING:
                 self._draw_moved(surface, pen, now)
-            case Doing.TURNING if self._held:
+            case DragKind.TURNING if self._held:
                 self._draw_turned(surface, pen, now)
-            case Doing.RESIZING if body and self._handle:
+            case DragKind.RESIZING if body and self._handle:
                 self._draw_resized(surface, pen, body, self._handle, now)
 
     @staticmethod
@@ -257,18 +257,20 @@ class SelectTool(Tool):
         for corners, closed in outlines:
             moved = [(x + dx, y + dy) for x, y in corners]
             shape_preview.outline(surface, self._bench.camera, moved, closed=closed)
-        message = f"Δx {shape_preview.metres(dx)}  Δy {shape_preview.metres(dy)}  {self._way.by}"
-        shape_preview.measure(surface, pen, now.pixel, message.strip())
+        message = (
+            f"Δx {shape_preview.metres(dx)}  Δy {shape_preview.metres(dy)}  {self._way.snapped_to}"
+        )
+        shape_preview.write_measure(surface, pen, now.pixel, message.strip())
 
     def _draw_turned(self, surface: pygame.Surface, pen: Pen, now: MousePosition) -> None:
-        held, turn = self._held, self._turn
-        center = complex(*selection_handles.middle(held))
-        for body in held[:CROWD]:
+        handle, turn = self._held, self._turn
+        center = complex(*selection_handles.middle(handle))
+        for body in handle[:CROWD]:
             place = center + (complex(*body.position) - center) * rect(1, turn)
             corners = body.outline.placed((place.real, place.imag), body.angle + turn)
             shape_preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
         shown = degrees((self._angle + turn + pi) % (2 * pi) - pi)
-        shape_preview.measure(surface, pen, now.pixel, f"{number(shown, 4)}°")
+        shape_preview.write_measure(surface, pen, now.pixel, f"{number(shown, 4)}°")
 
     def _draw_resized(
         self,
@@ -279,14 +281,14 @@ class SelectTool(Tool):
         now: MousePosition,
     ) -> None:
         local = selection_handles.dragged(body, handle.index, now.point)
-        corners = [selection_handles.in_plane(body, point) for point in local]
+        corners = [selection_handles.to_plane(body, point) for point in local]
         shape_preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
         xs, ys = zip(*local, strict=True)
         width, height = max(xs) - min(xs), max(ys) - min(ys)
         message = f"{shape_preview.metres(width)} × {shape_preview.metres(height)}"
         if body.outline.radius is not None:
             message = f"r {shape_preview.metres(width / 2)}"
-        shape_preview.measure(surface, pen, now.pixel, message)
+        shape_preview.write_measure(surface, pen, now.pixel, message)
 
 
 def _turning(bodies: Sequence[DrawableBody], angle: float) -> Proposed[str]:

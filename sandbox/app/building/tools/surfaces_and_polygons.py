@@ -58,31 +58,31 @@ class VertexTool(Tool):
         points = tuple(dict.fromkeys((*self._points, self._spot.point)))
         return Proposed(self.edit(points)) if len(points) >= self.least else None
 
-    def press(self, spot: MousePosition) -> None:
+    def press(self, mouse: MousePosition) -> None:
         """Set the next point, or finish."""
-        self._spot = spot
-        if self._points and self._ends(spot):
+        self._spot = mouse
+        if self._points and self._ends(mouse):
             self.finish()
         else:
-            self._points.append(spot.point)
+            self._points.append(mouse.point)
 
-    def _ends(self, spot: MousePosition) -> bool:
+    def _ends(self, mouse: MousePosition) -> bool:
         """Return whether a click finishes the shape."""
         camera = self._bench.camera
-        last = dist(camera.to_screen(self._points[-1]), camera.to_screen(spot.point)) < 1
-        first = dist(camera.to_screen(self._points[0]), spot.pixel) < CLOSE
+        last = dist(camera.to_screen(self._points[-1]), camera.to_screen(mouse.point)) < 1
+        first = dist(camera.to_screen(self._points[0]), mouse.pixel) < CLOSE
         return last or (self.closed and first and len(self._points) >= self.least)
 
-    def move(self, spot: MousePosition) -> None:
+    def move(self, mouse: MousePosition) -> None:
         """Move the end of the preview."""
-        self._spot = spot
+        self._spot = mouse
 
     def finish(self) -> None:
         """Make the shape, if it has enough points."""
         points = tuple(self._points)
         if len(points) >= self.least:
             self._points.clear()
-            self._bench.make(say(self.said), self.edit(points))
+            self._bench.add_parts(say(self.said), self.edit(points))
 
     def cancel(self) -> None:
         """Remove the last point."""
@@ -95,11 +95,11 @@ class VertexTool(Tool):
             return
         camera, end = self._bench.camera, self._spot.point
         shape_preview.outline(surface, camera, [*self._points, end], closed=self.closed)
-        shape_preview.dots(surface, camera, self._points)
+        shape_preview.mark_points(surface, camera, self._points)
         x, y = end[0] - self._points[-1][0], end[1] - self._points[-1][1]
         length = shape_preview.metres(dist(end, self._points[-1]))
         message = f"{length}  {number(degrees(atan2(y, x)), 4)}°"
-        shape_preview.measure(surface, pen, self._spot.pixel, message)
+        shape_preview.write_measure(surface, pen, self._spot.pixel, message)
 
     def edit(self, points: tuple[XY, ...]) -> Callable[[str, Level], EditResult]:
         """Return the edit that adds the surface to the level."""
@@ -153,23 +153,23 @@ class CurveTool(Tool):
         edit = partial(bodies.add_curve, points=tuple(self._points), tolerance=tolerance)
         return Proposed(edit)
 
-    def press(self, spot: MousePosition) -> None:
+    def press(self, mouse: MousePosition) -> None:
         """Start a stroke."""
-        self._points, self._pixels = [spot.point], [spot.pixel]
+        self._points, self._pixels = [mouse.point], [mouse.pixel]
 
-    def move(self, spot: MousePosition) -> None:
+    def move(self, mouse: MousePosition) -> None:
         """Continue the stroke."""
-        if self._pixels and dist(spot.pixel, self._pixels[-1]) >= APART:
-            self._points.append(spot.free)
-            self._pixels.append(spot.pixel)
+        if self._pixels and dist(mouse.pixel, self._pixels[-1]) >= APART:
+            self._points.append(mouse.unsnapped)
+            self._pixels.append(mouse.pixel)
 
-    def release(self, spot: MousePosition) -> None:
+    def release(self, mouse: MousePosition) -> None:
         """Make the shape of the stroke, if it is more than a click."""
-        self.move(spot)
+        self.move(mouse)
         proposed = self.proposed
         self.cancel()
         if proposed:
-            self._bench.make(say("draw freely"), proposed.edit)
+            self._bench.add_parts(say("draw freely"), proposed.edit)
 
     def cancel(self) -> None:
         """Discard the stroke."""

@@ -34,13 +34,13 @@ class Tool:
     def proposed(self) -> Proposed[str | EditResult] | None:
         """The edit that letting go or a click would make here; None if that makes none."""
 
-    def press(self, spot: MousePosition) -> None:
+    def press(self, mouse: MousePosition) -> None:
         """Start, or set the next point."""
 
-    def move(self, spot: MousePosition) -> None:
+    def move(self, mouse: MousePosition) -> None:
         """Update the preview."""
 
-    def release(self, spot: MousePosition) -> None:
+    def release(self, mouse: MousePosition) -> None:
         """Finish a drag."""
 
     def finish(self) -> None:

@@ -29,7 +29,7 @@ def ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
 
 
 def asked(
-    pen: Pen, width: int, target: float | None, stepping: Stepping, here: CurrentSetting | None,
+    pen: Pen, width: int, target: float | None, stepping: Stepping, current: CurrentSetting | None,
     place: Trust | None,
 ) -> pygame.Surface:  # fmt: skip
     """Draw the requested accuracy, the present setting, its error, and the least known place."""
@@ -40,9 +40,9 @@ def asked(
         wanted = say("Asked for: {error}", error=formatting.error(target))
     card.text(wanted, 14, bold=target is not None)
     message = say("now {setting}", setting=formatting.stepping(stepping))
-    if here is not None:
+    if current is not None:
         message = say(
-            "{setting}, error {error}", setting=message, error=formatting.error(here.error)
+            "{setting}, error {error}", setting=message, error=formatting.error(current.error)
         )
     card.text(message, 13, theme.DIM)
     _least_known(card, place)
@@ -52,9 +52,9 @@ def asked(
 
 def _least_known(card: Card, place: Trust | None) -> None:
     """Add two lines, whose height does not depend on whether the place is known."""
-    known = "" if place is None else formatting.trusted(place)
+    digits = "" if place is None else formatting.trusted(place)
     what = say("not measured yet") if place is None else place.quantity
-    for line in (say("least known place: {place}", place=what), known):
+    for line in (say("least known place: {place}", place=what), digits):
         text = card.pen.shorten(line, card.width, 12)
         card.put(card.pen.write(text, 12, theme.DIM), 0)
         card.y += card.pen.height(12)

@@ -58,7 +58,7 @@ def draw(
     pen: Pen,
     size: tuple[int, int],
     points: Sequence[WorkPrecisionPoint],
-    here: CurrentSetting | None,
+    current: CurrentSetting | None,
 ) -> pygame.Surface:
     """Draw a line for each scheme, and a ring around the present setting.
 
@@ -67,8 +67,8 @@ def draw(
     """
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
-    here = here if here and isfinite(here.error) else None
-    everything = [*points, *([here] if here else [])]
+    current = current if current and isfinite(current.error) else None
+    everything = [*points, *([current] if current else [])]
     if not everything:
         text = pen.write(say("not measured yet"), 12, theme.DIM)
         surface.blit(text, text.get_rect(center=surface.get_rect().center))
@@ -80,9 +80,9 @@ def draw(
         line = [_pixel(p, across, up) for p in points if p.scheme == scheme]
         lines.path(surface, theme.faded(color, 0.6), line, 1)
         for pixel in line:
-            line_styles.sign(surface, _place(scheme), color, pixel)
-    if here:
-        pygame.draw.aacircle(surface, theme.TEXT, _pixel(here, across, up), 8, 2)
+            line_styles.marker(surface, _place(scheme), color, pixel)
+    if current:
+        pygame.draw.aacircle(surface, theme.TEXT, _pixel(current, across, up), 8, 2)
     return surface
 
 
@@ -115,7 +115,7 @@ def legend(pen: Pen, width: int, points: Sequence[WorkPrecisionPoint]) -> pygame
     surface.fill(theme.PANEL)
     for i, scheme in enumerate(schemes):
         x, y = (i % 2) * width // 2, (i // 2) * height
-        line_styles.sign(surface, _place(scheme), colors()[scheme], (x + 6, y + height // 2))
+        line_styles.marker(surface, _place(scheme), colors()[scheme], (x + 6, y + height // 2))
         surface.blit(pen.write(formatting.scheme(scheme), 12, theme.DIM), (x + 16, y))
     return surface
 

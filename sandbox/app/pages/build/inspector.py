@@ -129,7 +129,7 @@ class Inspector:
         room, adjustable = self._sheet.width - left, _adjustable(entry, self._numbers)
         if adjustable:
             room -= px(SLIDER) + px(GAP)
-        if entry.sort == "number":
+        if entry.input_kind == "number":
             room -= px(UNIT)
             column.label(entry.unit, left + room + px(GAP), px(UNIT) - px(GAP))
         line.field = column.field(left, room, entry.shown, entry.default, _tip(entry))
@@ -188,8 +188,8 @@ class Inspector:
 
     def _restore(self) -> None:
         for line, field in self._fields:
-            if (kept := self._kept.get(line.entry.path)) is not None:
-                text, line.shown = kept
+            if (typed := self._kept.get(line.entry.path)) is not None:
+                text, line.shown = typed
                 field.set_text(text)
             if line.entry.path == self._focused:
                 self._sheet.manager.set_focus_set(field.get_focus_set())
@@ -254,7 +254,7 @@ class Inspector:
 
 def _options(entry: EditableField) -> Mapping[str, str]:
     """Return the options of a choice or a switch, by caption."""
-    if entry.sort == "switch":
+    if entry.input_kind == "switch":
         return {say(caption): means for caption, means in SWITCHED.items()}
     return {say(caption_of(choice)): choice for choice in entry.choices}
 
@@ -271,7 +271,7 @@ def _tip(entry: EditableField) -> str:
 
 def _form(entry: EditableField, numbers: Collection[Path]) -> tuple[object, ...]:
     """Return a key on which the widgets of an entry depend."""
-    return entry.path, entry.sort, _adjustable(entry, numbers), len(entry.shown) > MOST
+    return entry.path, entry.input_kind, _adjustable(entry, numbers), len(entry.shown) > MOST
 
 
 def _adjustable(entry: EditableField, numbers: Collection[Path]) -> bool:

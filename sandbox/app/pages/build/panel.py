@@ -89,7 +89,7 @@ class BuildPage:
             return True
         act = next((act for button, act in self._acts if button is element), None)
         if act is not None:
-            self._editor.trying.look(self._session)
+            self._editor.trying.read_run_state(self._session)
             self._at_present(act)()
             return True
         return self.palette.press(element) or self.inspector.turn(element)
@@ -130,14 +130,14 @@ class BuildPage:
         return self._assign(line, line.shown)
 
     def _assign(self, line: Line, typed: str) -> bool:
-        self._editor.trying.look(self._session)
+        self._editor.trying.read_run_state(self._session)
         entry, work = line.entry, self._editor.bench
         self._offered.clear()
         why = inspected_fields.assign(work, line.row, entry, typed)
         self._refused.pop(entry.path, None)
         if why:
             self._refused[entry.path] = why
-            work.tell(f"{entry.label}: {why}")
+            work.show_message(f"{entry.label}: {why}")
             self._editor.bench.show()
         return not why
 
@@ -197,11 +197,13 @@ class BuildPage:
         editor = self._editor
         below = sections.subject(editor)
         if editor.saving.naming:
-            here = ButtonAction(say("Save here"), say("write the file (Enter)"), self._save_here)
+            save_here = ButtonAction(
+                say("Save here"), say("write the file (Enter)"), self._save_here
+            )
             leave = ButtonAction(
                 say("Do not save"), say("continue without saving (Esc)"), editor.saving.stop_naming
             )
-            below.insert(0, Block("", acts=(here, leave)))
+            below.insert(0, Block("", acts=(save_here, leave)))
         return sections.above(editor, self._session), [*below, *sections.arranging(editor)]
 
     def _build(

@@ -7,10 +7,10 @@ from typing import NamedTuple
 from sandbox.app.building import editable_fields, inspected_fields
 from sandbox.app.building.arrangement_actions import arrangements
 from sandbox.app.building.button_action import ButtonAction
-from sandbox.app.building.check_and_challenge_actions import stated
-from sandbox.app.building.draft_recovery_choices import offers
+from sandbox.app.building.check_challenge_and_event_actions import actions
+from sandbox.app.building.draft_and_version_choices import choices
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.effect_costs import said
+from sandbox.app.building.effect_costs import costs_in_words
 from sandbox.app.building.selected_part_actions import part_actions
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
@@ -66,19 +66,19 @@ def above(editor: Editor, session: Session) -> list[Block]:
         if session.world.disturbed and session.original.checks:
             found.append(Block(say(NO_FORMULA), theme.NOTICE))
     elif (
-        left := editor.trial.left(editor.work.draft.text)
+        left := editor.trial.run_of(editor.work.draft.text)
     ) is not None and not editor.applying.refusal:
         back = ButtonAction(
             say("Back to the run at {t:.2f} s", t=left.t),
             say("return to the run that you left, where it was (Ctrl Y right after Esc)"),
-            partial(editor.trying.come_back, session),
+            partial(editor.trying.return_to_run, session),
         )
         found.append(Block("", acts=(back,)))
     if editor.applying.refusal:
         found.append(
             Block(say("It cannot run yet: {reason}", reason=editor.applying.refusal), theme.FAILED)
         )
-    found += [Block(offer.text, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
+    found += [Block(offer.text, theme.NOTICE, offer.actions) for offer in choices(editor, session)]
     if editor.saving.naming:
         untitled = is_untitled(editor.work.document)
         found.append(Block(say(SAVE_TITLED if untitled else SAVE), theme.TEXT))
@@ -89,8 +89,8 @@ def subject(editor: Editor) -> list[Block]:
     """Return the blocks about the inspected parts, with the actions on them."""
     work = editor.bench
     in_run = work is editor.trial.live
-    said = say("The run") if in_run and not work.selected else inspected_fields.subject(work)
-    title = Block(said, heading=True)
+    heading = say("The run") if in_run and not work.selected else inspected_fields.subject(work)
+    title = Block(heading, heading=True)
     if not work.selected and in_run:
         return [title, Block(say(IN_RUN)), _switches(editor)]
     if not work.selected:
@@ -99,7 +99,7 @@ def subject(editor: Editor) -> list[Block]:
             title,
             Block(say(NOTHING_SELECTED if drawn else FIRST)),
             *_suggested(editor),
-            Block("", acts=tuple(stated(work))),
+            Block("", acts=tuple(actions(work))),
             _switches(editor),
             _costs(editor),
         ]
@@ -137,7 +137,7 @@ def _costs(editor: Editor) -> Block:
     """Return the block with the time per step of each effect, or what it would add if used."""
     work, costs = editor.work, editor.costs
     if costs.is_for(work.version):
-        found = said(costs.of(work.version))
+        found = costs_in_words(costs.of(work.version))
         if found or not costs.running:
             return Block(say("Time of a step: {costs}", costs=found or say("no effect to measure")))
         return Block(say("The effects are being timed ..."))

@@ -109,7 +109,7 @@ class Palette:
 
     def _take(self, tool: str) -> None:
         self._editor.tools.choose(tool)
-        self._editor.go_on()
+        self._editor.resume_time()
 
     def _join(self, kind: str) -> None:
         self._editor.tools.joining.use(kind)
@@ -120,11 +120,14 @@ class Palette:
         editor, draft = self._editor, self._editor.work.draft
         for kind in TOOLS:
             press(self._buttons[kind.name], kind.name == editor.tools.tool)
-        undoes, redoes = editor.trying.undoes(self._session), editor.trying.redoes(self._session)
-        for name, key, said in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
-            allow(self._buttons[name], said is not None)
+        undoes, redoes = (
+            editor.trying.undo_description(self._session),
+            editor.trying.redo_description(self._session),
+        )
+        for name, key, undone in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
+            allow(self._buttons[name], undone is not None)
             self._buttons[name].set_tooltip(
-                f"{said} ({say_in('key', key)})" if said else None, delay=0.6
+                f"{undone} ({say_in('key', key)})" if undone else None, delay=0.6
             )
         allow(self._buttons["Save"], draft.changed or draft.path is None)
         self._buttons[TRY].set_text(say(STOP if editor.trying.is_shown(self._session) else TRY))

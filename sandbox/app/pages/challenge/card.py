@@ -33,19 +33,19 @@ def challenge(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw the title of the level and the task."""
-    asked = session.level.challenge
+    challenge = session.level.challenge
     card, words = Card(pen, width), level_translation.of(session.original)
     card.text(words(session.original.title), 20, bold=True)
     card.y += 4
-    card.text(words(asked.task) if asked else say(NONE), 15 if asked else 14)
+    card.text(words(challenge.task) if challenge else say(NONE), 15 if challenge else 14)
     return card.drawn()
 
 
 def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surface:
     """Draw the stars and the goals of a session's challenge; `best` are the most stars before."""
     card = Card(pen, width)
-    asked, found = session.level.challenge, session.attempt()
-    if asked is None:
+    challenge, found = session.level.challenge, session.attempt()
+    if challenge is None:
         return card.drawn()
     card.heading(say("Goals"))
     if found is None:
@@ -55,7 +55,7 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
     _stars(card, found, best)
     before, words = "", level_translation.of(session.original)
     for index, outcome in enumerate(found.outcomes):
-        rank = _rank(index, asked)
+        rank = _rank(index, challenge)
         if rank != before:
             card.text(rank, 12, theme.DIM)
         before = rank
@@ -79,9 +79,9 @@ def hints(pen: Pen, width: int, shown: Sequence[str]) -> pygame.Surface:
     return card.drawn()
 
 
-def _rank(index: int, asked: Challenge) -> str:
+def _rank(index: int, challenge: Challenge) -> str:
     """Return the name of the star for which a goal counts."""
-    extra = index - len(asked.goals)
+    extra = index - len(challenge.goals)
     return (say("second star"), say("third star"))[extra] if extra >= 0 else say("first star")
 
 

@@ -28,8 +28,8 @@ class ChallengePage:
         self._sheet, self._session = sheet, desk.session
         self._judge = desk.worker(Judge)
         y = below(sheet.image(task(sheet.pen, sheet.width, desk.session), sheet.margin // 2)) + 12
-        asked, level = desk.session.level.challenge, desk.session.original
-        free = {name: level.parameters[name] for name in (asked.free if asked else ())}
+        challenge, level = desk.session.level.challenge, desk.session.original
+        free = {name: level.parameters[name] for name in (challenge.free if challenge else ())}
         y += sheet.ask(y, free, desk.session.chosen, level_translation.of(level)).height
         self._standing = sheet.image(self._draw_standing(), y + 4)
         self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
@@ -75,8 +75,8 @@ class ChallengePage:
 
     @property
     def _all_hints(self) -> tuple[str, ...]:
-        asked = self._session.level.challenge
-        return asked.hints if asked else ()
+        challenge = self._session.level.challenge
+        return challenge.hints if challenge else ()
 
     @property
     def _shown_hints(self) -> tuple[str, ...]:

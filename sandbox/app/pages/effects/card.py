@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card, noted
+from sandbox.app.cards.card import GAP, Card, titled_note
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
@@ -18,19 +18,21 @@ TOUCHED_ONE = later("Only this run was changed by hand: the two can no longer be
 
 
 def compared(
-    pen: Pen, width: int, told: str, differences: Sequence[Difference],
+    pen: Pen, width: int, message: str, differences: Sequence[Difference],
     words: Say, cost: float | None = None, *, disturbed: bool = False,
 ) -> pygame.Surface:  # fmt: skip
     """Draw the change of the checks' quantities by a change of the effects, and its cost."""
     card = Card(pen, width)
-    card.heading(told[0].upper() + told[1:])
+    card.heading(message[0].upper() + message[1:])
     card.text(say("dashed: as the level declares it"), 12, theme.GHOST)
     if disturbed:
         card.text(say(TOUCHED_ONE), 14, theme.NOTICE)
         return card.drawn()
     if cost is not None:
-        told = say("time: {cost}", cost=formatting.step_cost(cost).replace("-", formatting.MINUS))
-        card.text(told, 13)
+        message = say(
+            "time: {cost}", cost=formatting.step_cost(cost).replace("-", formatting.MINUS)
+        )
+        card.text(message, 13)
     if all(found.first is found.second is None for found in differences):
         card.text(say("Play to see what changes."), 13, theme.DIM)
         return card.drawn()
@@ -61,10 +63,10 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw the purpose of the switches."""
     message = say("Switch an effect off or on, then play: both runs are drawn.")
-    return noted(pen, width, say("What if …"), message)
+    return titled_note(pen, width, say("What if …"), message)
 
 
 def unchanged(pen: Pen, width: int) -> pygame.Surface:
     """Draw the note that the level runs as declared."""
     message = say("All effects are as the level declares them.")
-    return noted(pen, width, say("What it changes"), message, 14)
+    return titled_note(pen, width, say("What it changes"), message, 14)

@@ -75,9 +75,9 @@ class EffectsPage:
     def _tip(self, effect: str) -> str:
         if effect in self._session.original.effects.declared:
             return say("switch {effect} off or on for this run", effect=say(effect))
-        said = ", ".join(f"{say(name)} {value}" for name, value in DEFAULTS[effect].items())
+        defaults = ", ".join(f"{say(name)} {value}" for name, value in DEFAULTS[effect].items())
         message = say("add {effect} to this run", effect=say(effect))
-        return f"{message}: {said}" if said else message
+        return f"{message}: {defaults}" if defaults else message
 
     def switch(self, effect: str) -> UIButton:
         """Return the switch of an effect."""
@@ -85,7 +85,7 @@ class EffectsPage:
 
     def scale(self, effect: str, times: float) -> UIButton:
         """Return the button that scales the strength of an effect."""
-        return next(b for b, said in self._scales.items() if said == (effect, times))
+        return next(b for b, chosen in self._scales.items() if chosen == (effect, times))
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Switch or scale an effect, or reset all, and return the message."""

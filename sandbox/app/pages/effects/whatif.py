@@ -120,8 +120,8 @@ def at_its_pace(session: Session) -> Level:
 def _settings(changes: Changes) -> dict[str, Settings]:
     return {
         name: {
-            said: _times(value, changes.strength.get(name, 1.0))
-            for said, value in DEFAULTS[name].items()
+            field_name: _times(value, changes.strength.get(name, 1.0))
+            for field_name, value in DEFAULTS[name].items()
         }
         for name in changes.on
     }
@@ -149,15 +149,15 @@ def compared(session: Session) -> tuple[Difference, ...]:
 
 def cost(session: Session) -> float | None:
     """Return the cost of the change in each step [s], negative if it saves; None if unknown."""
-    here, there = session.clock.step, session.companions[0].clock.step
-    return None if here is None or there is None else here - there
+    own, other = session.clock.step, session.companions[0].clock.step
+    return None if own is None or other is None else own - other
 
 
 def summary(session: Session, found: Sequence[Difference]) -> str:
     """Return a sentence about the differences by the change, and its cost."""
-    said = list(formatting.summary(found, level_translation.of(session.original)))
+    lines = list(formatting.summary(found, level_translation.of(session.original)))
     seconds = cost(session)
     if seconds is not None:
-        said.append(formatting.step_cost(seconds))
-    text = f"{session.changes.label}: {', '.join(said) or say(formatting.NO_DIFFERENCE)}"
+        lines.append(formatting.step_cost(seconds))
+    text = f"{session.changes.label}: {', '.join(lines) or say(formatting.NO_DIFFERENCE)}"
     return text.replace(" -", f" {formatting.MINUS}")

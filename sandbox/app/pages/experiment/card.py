@@ -46,9 +46,9 @@ def curve(
     _point_text(card, session.level, chosen, mouse)
     card.y += GAP
     field = pygame.Rect(0, card.y, width, pen.px(HEIGHT))
-    here = session.values[chosen.parameter] if mouse is None else mouse.at
+    value = session.values[chosen.parameter] if mouse is None else mouse.at
     span = span_of(pen, width, session.level, chosen)
-    card.put(plot.draw(pen, field.size, list(_series(exploring.points)), span, here), 0)
+    card.put(plot.draw(pen, field.size, list(_series(exploring.points)), span, value), 0)
     card.y += pen.px(HEIGHT) + 2
     across = named(session.level, chosen.parameter, session.level.parameters[chosen.parameter].unit)
     card.text(say("against {quantity}", quantity=across), 12, theme.DIM)
@@ -72,8 +72,8 @@ def shown_as(level: Level, measure: str) -> str:
 
 def span_of(pen: Pen, width: int, level: Level, chosen: CurveChoice) -> Scale:
     """Return the horizontal scale of a curve with a width [px], over the parameter's range."""
-    known = level.parameters[chosen.parameter]
-    return plot.across(pen, width, [np.array([known.min, known.max])])
+    parameter = level.parameters[chosen.parameter]
+    return plot.across(pen, width, [np.array([parameter.min, parameter.max])])
 
 
 def nearest(points: Sequence[Point], at: float) -> Point | None:

@@ -64,14 +64,14 @@ def coarse_first(count: int) -> list[int]:
 
 
 def _plan(level: Level, values: Values, parameter: str, measure: str) -> Plan:
-    known = level.parameters[parameter]
-    given = {
+    limits = level.parameters[parameter]
+    request = {
         "level": level.title,
-        "vary": {parameter: f"{known.min!r}:{known.max!r}:{COUNT}"},
+        "vary": {parameter: f"{limits.min!r}:{limits.max!r}:{COUNT}"},
         "measure": [measure],
         "set": {name: value for name, value in values.items() if name != parameter},
     }
-    experiment, faults = parsed(given)
+    experiment, faults = parsed(request)
     if experiment is not None:
         plan, faults = make(experiment, level.title, level)
         if not faults:

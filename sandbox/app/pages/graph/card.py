@@ -12,7 +12,7 @@ from sandbox.app.drawing import line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.earlier_runs import alike
-from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_history import History
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
@@ -58,12 +58,12 @@ def graphs(
     names = list(dict.fromkeys([TIME.name, across, *up]))
     columns, units = so_far(session, names)
     earlier, later = _other_runs(session, names)
-    told = later if later and cursor and cursor > columns[across].max() else columns
+    shown = later if later and cursor and cursor > columns[across].max() else columns
     span = zoom.on(span_of(pen, width, session, across))
     mark = float(columns[across][-1]) if later and cursor is None else cursor
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
-        _values(card, told, these, up, units, across, cursor, trust)
+        _values(card, shown, these, up, units, across, cursor, trust)
         others = [*_faint(earlier, these, across), *_ahead(later, these, up, across)]
         closed = _closed(session, columns, these, up, across)
         series = [*others, *closed, *_own(columns, these, up, across)]
@@ -149,7 +149,7 @@ def _values(
         )
         if (sign := _sign(name, up)) is not None:
             mark = pygame.Surface((indent, left.height), pygame.SRCALPHA)
-            line_styles.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
+            line_styles.marker(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
             card.put(mark, 0)
         card.put(left, indent)
         card.put(right, card.width - right.width)

@@ -123,9 +123,9 @@ class GraphPage:
 
     def _act(self, act: Callable[[], object]) -> str:
         """Execute the action of a button, and return its message."""
-        told = act()
+        message = act()
         self._zoomed(changed=True)
-        return told if isinstance(told, str) else ""
+        return message if isinstance(message, str) else ""
 
     def _show_all(self) -> None:
         self._zooming.zoom = WHOLE
@@ -204,8 +204,8 @@ class GraphPage:
         """Choose the marked quantities, and keep chosen ones that are filtered out."""
         listed = [str(item["text"]) for item in self.up.item_list]
         drawn = self._choice.up(self._session)
-        kept = [name for name in drawn if name not in listed]
-        self._choice.choose(self._session, (*kept, *self.up.get_multi_selection()))
+        others = [name for name in drawn if name not in listed]
+        self._choice.choose(self._session, (*others, *self.up.get_multi_selection()))
 
     def _follow(self, pixel: tuple[int, int]) -> None:
         """Show the values under the mouse while it is over the graphs."""

@@ -109,8 +109,8 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
         card.put(pen.write(axis, 13, own), pen.px(LABEL))
         drawn = bar(length, value / scale if scale else 0.0, color, pen.px(10))
         card.put(drawn, left, pen.px(5))
-        told = formatting.without_rounding(value, scale)
-        text = pen.write(formatting.quantity(told, momentum_scale.UNIT, 4), 13)
+        rounded = formatting.without_rounding(value, scale)
+        text = pen.write(formatting.quantity(rounded, momentum_scale.UNIT, 4), 13)
         card.put(text, width - text.width)
         card.y += pen.height(13)
     card.y += 3
@@ -127,8 +127,8 @@ def _add_table(card: Card, rows: Sequence[Momentum], scale: float) -> None:
     for row in rows:
         card.put(pen.write(row.name, 13, theme.DIM), 0)
         for value, end in zip(row.value.tolist(), ends, strict=True):
-            told = formatting.without_rounding(value, scale)
-            text = pen.write(formatting.number(told, 3), 13)
+            rounded = formatting.without_rounding(value, scale)
+            text = pen.write(formatting.number(rounded, 3), 13)
             card.put(text, end - text.width)
         card.y += pen.height(13) + 1
 

@@ -112,9 +112,9 @@ def _compared(card: Card, outcome: Outcome) -> None:
     ]
     for name, value, apart in rows:
         if value is not None:
-            kept = formatting.without_rounding(value, outcome.scale or 0.0)
-            told = formatting.quantity(kept, outcome.unit)
-            card.columns([(name, theme.DIM), (told, theme.TEXT), (apart, theme.DIM)], 14)
+            rounded = formatting.without_rounding(value, outcome.scale or 0.0)
+            text = formatting.quantity(rounded, outcome.unit)
+            card.columns([(name, theme.DIM), (text, theme.TEXT), (apart, theme.DIM)], 14)
 
 
 def _asked_at(outcome: Outcome) -> str:

@@ -44,15 +44,15 @@ def trials(level: Level, values: Values, check: Check) -> Iterator[TrialProgress
     """
     alone = level.model_copy(update={"checks": (check,), "ghosts": {}, "challenge": None})
     names = whatif.addable(level)
-    known: dict[str, float | None] = {}
+    results: dict[str, float | None] = {}
     for i, name in enumerate(names):
         yield TrialProgress(name, i / len(names))
         try:
             plain, more, changes = whatif.changed(alone, Changes(on=(name,)))
             scheme = plain.stepping.scheme
-            if scheme not in known:
-                known[scheme] = _measured(plain, values, check)
-            yield Trial(changes.effects, known[scheme], _measured(more, values, check))
+            if scheme not in results:
+                results[scheme] = _measured(plain, values, check)
+            yield Trial(changes.effects, results[scheme], _measured(more, values, check))
         except SandboxError:
             continue
 

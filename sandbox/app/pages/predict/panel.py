@@ -148,8 +148,8 @@ class PredictPage:
 
     def _name_button(self) -> None:
         """Update the caption and the tooltip of the button."""
-        asked = self._predicting.question is not None
-        caption = PUT_OFF if self._open else ANOTHER if asked else PREDICT
+        has_question = self._predicting.question is not None
+        caption = PUT_OFF if self._open else ANOTHER if has_question else PREDICT
         if self.button.text != (text := say(caption)):
             self.button.set_text(text)
             self.button.tool_tip_text = say(TIPS[caption])

@@ -121,8 +121,8 @@ class PredictionWorker(BackgroundTask):
         return None
 
     def _outdated(self, session: Session) -> bool:
-        asked = questions(session.level, session.values)
-        return session.values != self._values or self.question not in asked
+        current = questions(session.level, session.values)
+        return session.values != self._values or self.question not in current
 
     def _keep(self, session: Session, question: Check, *, watched: bool) -> str | None:
         """Keep the run locked while the page is shown."""

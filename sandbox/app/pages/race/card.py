@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card, noted
+from sandbox.app.cards.card import GAP, Card, titled_note
 from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -24,7 +24,7 @@ _REMARKS: Mapping[Scheme, str] = {
 def race_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw a description of the race."""
     text = say("The same scene with up to four schemes at once, at the same rate.")
-    return noted(pen, width, say("Race of the schemes"), text)
+    return titled_note(pen, width, say("Race of the schemes"), text)
 
 
 def standing(pen: Pen, width: int, session: Session) -> pygame.Surface:

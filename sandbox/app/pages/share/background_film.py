@@ -15,7 +15,7 @@ class Filming(BackgroundTask):
         super().__init__()
         self.done = 0.0
         """The progress of the film, from 0 to 1."""
-        self.told = ""
+        self.message = ""
         """The message about the last film saved; empty if there is none, or a newer one."""
 
     def begin(self, session: Session, kind: Kind) -> str:
@@ -27,17 +27,17 @@ class Filming(BackgroundTask):
         if self.running:
             return say("one film at a time: the next when this one is saved")
         path = path_for(session, f".{kind}")
-        self.done, self.told, self.news = 0.0, "", object()
+        self.done, self.message, self.news = 0.0, "", object()
         self._work.start(film, run_of(session), path, kind, session.looking.seen_from)
         return say("filming {time:.3g} s of the run ...", time=session.t)
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Update the progress, and return the message once the film is saved."""
-        told = None
+        message = None
         for found in self._work.found():
             self.news = object()
             if isinstance(found, str):
-                told = self.told = found
+                message = self.message = found
             else:
                 self.done = found
-        return told
+        return message

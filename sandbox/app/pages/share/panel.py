@@ -8,7 +8,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.cards.card import Card, noted
+from sandbox.app.cards.card import Card, titled_note
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
@@ -84,12 +84,12 @@ class SharePage:
         if self._filming.running:
             message = say("Filming: {share:.0%}", share=self._filming.done)
             card.text(message, 14, theme.NOTICE)
-        elif self._filming.told:
-            card.text(self._filming.told, 13, theme.DIM)
+        elif self._filming.message:
+            card.text(self._filming.message, 13, theme.DIM)
         card.y = max(card.y, self._sheet.pen.height(14))  # at least one line
         return card.drawn()
 
 
 def _intro(pen: Pen, width: int) -> pygame.Surface:
     text = say("Files go to {folder}", folder=save_folder.folder())
-    return noted(pen, width, say("Take away"), text)
+    return titled_note(pen, width, say("Take away"), text)

@@ -127,10 +127,10 @@ class Stopwatch(IdleWorker):
             return None if pressed is None else TriggerTime(pressed, between=False)
         if self._known is None or self._known[0] is not run:
             self._known = run, {}
-        known = self._known[1]
-        if occasion not in known and (found := find(occasion.at, run)) is not None:
-            known[occasion] = found
-        return known.get(occasion)
+        crossing = self._known[1]
+        if occasion not in crossing and (found := find(occasion.at, run)) is not None:
+            crossing[occasion] = found
+        return crossing.get(occasion)
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Put it away when another level is opened."""

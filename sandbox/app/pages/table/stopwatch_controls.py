@@ -54,10 +54,10 @@ class StopwatchControls:
         self.press.set_relative_position((x, y))
         self.reset.set_relative_position((self.reset.relative_rect.x, y))
         y += sheet.px(HEIGHT) + GAP
-        for told, chooser in zip(self._labels, (self.starts, self.stops), strict=True):
-            told.set_relative_position((x, y))
-            chooser.set_relative_position((x, below(told)))
-            y = below(told) + sheet.px(LIST) + GAP
+        for caption, chooser in zip(self._labels, (self.starts, self.stops), strict=True):
+            caption.set_relative_position((x, y))
+            chooser.set_relative_position((x, below(caption)))
+            y = below(caption) + sheet.px(LIST) + GAP
         return y
 
     def process(self, event: pygame.event.Event) -> str | None:

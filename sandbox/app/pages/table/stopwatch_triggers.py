@@ -8,8 +8,8 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words.formatting import name_in_words, number
 from sandbox.app.words.language import say
 from sandbox.model.contained_expressions import expressions
-from sandbox.model.events import Passage
 from sandbox.model.expressions import Expression, Values
+from sandbox.model.instants import Passage
 from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, LandingEvent, Level
 from sandbox.model.level_parts import measured
 from sandbox.model.quantities import QuantityError

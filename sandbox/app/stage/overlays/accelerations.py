@@ -32,7 +32,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
             image.get_rect(center=(end[0] + dx * (image.width / 2 + 8), end[1] + dy * image.height))
             for dx, dy in ((0, 1), (0, -1), (1, 0), (-1, 0))
         )
-        if lines.near((end,)) and (place := view.labels.find(places)):
+        if lines.are_close((end,)) and (place := view.labels.find(places)):
             surface.blit(image, place)
 
 

@@ -17,7 +17,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     snapshot, scene = view.world.snapshot, view.world.scene
     mass = (scene.mass * scene.mass_fraction(snapshot.t))[rows]
     x, y = view.camera.to_screen(tuple(mass @ snapshot.position[rows] / mass.sum()))
-    if not lines.near(((x, y),)):
+    if not lines.are_close(((x, y),)):
         return
     lines.cross(surface, theme.NOTICE, (x, y), ARM, 2)
     pygame.draw.aacircle(surface, theme.NOTICE, (x, y), RADIUS, 2)

@@ -115,12 +115,12 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if len(view.moving) > MANY:
         _draw_chains(surface, view)
         return
-    known = _touches.get(view)
-    if known is None:
-        known = _touches[view] = Touches(view.world)
-    found = known.look([outline.name for outline in view.moving])
+    touches = _touches.get(view)
+    if touches is None:
+        touches = _touches[view] = Touches(view.world)
+    found = touches.look([outline.name for outline in view.moving])
     largest = max((hypot(*touch.force) for touch in found), default=0.0)
-    full = view.full("contacts", 0.0 if known.struck else largest) or largest
+    full = view.full("contacts", 0.0 if touches.struck else largest) or largest
     if not full:
         return
     longest = LONGEST * view.camera.size[0]
@@ -137,12 +137,12 @@ def _draw_touch(
     size = hypot(x, y) * scale
     share = scale * min(1.0, most / size) if size else 0.0
     end = start[0] + x * share, start[1] - y * share
-    if touch.mu and lines.near((start, end)):
+    if touch.mu and lines.are_close((start, end)):
         _draw_cone(surface, start, touch, share)
     color = _color(touch.slides)
     lines.arrow(surface, color, start, end, WIDTH)
     view.labels.mark(start, end)
-    if lines.near((start,)):
+    if lines.are_close((start,)):
         _sign(surface, touch.slides, start)
 
 

@@ -27,7 +27,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     names = list(view.outlines) if view.flashes else ()
     for blow, left in view.flashes[:MOST]:
         center = view.camera.to_screen(blow.at)
-        if not lines.near((center,)):
+        if not lines.are_close((center,)):
             continue
         reach = max(hypot(x, y) for x, y in view.outlines[names[blow.body]].points)
         full = min(max(reach * view.camera.scale, SMALLEST), LARGEST)

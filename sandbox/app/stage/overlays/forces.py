@@ -26,12 +26,12 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if found is None or view.looking is None:
         return
     longest = LONGEST * view.camera.size[0]
-    given = _given(view, found)
-    scale = given or longest / (view.looking.full(found) or 1.0)  # px/N
+    given_forces = _given(view, found)
+    scale = given_forces or longest / (view.looking.full(found) or 1.0)  # px/N
     ends = []
     words = forces_on_selection.texts(view.looking.told(view.world, found))
     for acting, (_, text) in zip(forces_on_selection.felt(found), words, strict=True):
-        if given and acting.name == Force.effect.shown_force_name:
+        if given_forces and acting.name == Force.effect.shown_force_name:
             continue
         share = min(scale, CUT * longest / acting.magnitude)
         x, y = start = view.camera.to_screen(acting.at)
@@ -40,7 +40,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         lines.arrow(surface, color, start, end, WIDTH)
         ends.append((text, start, end, color, f"force {acting.name} {acting.by}"))
         _mark(view, acting.name, start, end)
-    if lines.near((center := view.camera.to_screen(found.center),)):
+    if lines.are_close((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
     moving = view.moving if view.few else ()
     avoid = motion_annotations.boxes(view.camera, ((each, *view.state(each)) for each in moving))

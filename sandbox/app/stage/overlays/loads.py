@@ -29,18 +29,18 @@ LEAST = 6.0  # px, the length below which no load is drawn
 
 def _draw(surface: pygame.Surface, view: View) -> None:
     world, t = view.world, float(view.world.snapshot.t)
-    held = world.scene.joints
+    joints = world.scene.joints
     loads = {
-        name: float(held.tension(name, world.snapshot))
+        name: float(joints.tension(name, world.snapshot))
         for name, joint in world.level.joints.items()
-        if isinstance(joint, ALONG) and held.holds(name, t)
+        if isinstance(joint, ALONG) and joints.holds(name, t)
     }
     full = view.full("loads", max(map(abs, loads.values()), default=0.0))
     if not full:
         return
     for name, load in loads.items():
         path = view.camera.path(_path(view, name))
-        if abs(load) > FAINT * full and lines.near(path) and dist(path[0], path[-1]) > LEAST:
+        if abs(load) > FAINT * full and lines.are_close(path) and dist(path[0], path[-1]) > LEAST:
             _draw_load(surface, path, load / full)
             if len(loads) <= NAMED:
                 _write(surface, view, name, path, load)

@@ -4,7 +4,8 @@ from collections.abc import Iterator
 
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
-from sandbox.model.events import CrossingEvent, Event, breakable
+from sandbox.model.events import Event, breakable
+from sandbox.model.instants import CrossingEvent
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault

@@ -115,9 +115,9 @@ class Sticking:
         """Return the state of its contacts."""
         return set(self.slipping), dict(self.loads)
 
-    def restore(self, known: Memory) -> None:
+    def restore(self, memory: Memory) -> None:
         """Restore the state of its contacts."""
-        self.slipping, self.loads = set(known[0]), dict(known[1])
+        self.slipping, self.loads = set(memory[0]), dict(memory[1])
 
     def _note(self, contact: frozenset[pymunk.Shape], *, slips: bool) -> None:
         if slips:
@@ -190,8 +190,8 @@ def _slip(arbiter: pymunk.Arbiter) -> float:
     """Return the slip velocity of the second surface relative to the first [m/s]."""
     a, b = arbiter.bodies
     point = arbiter.contact_point_set.points[0].point_a
-    moves: Vec2d = b.velocity_at_world_point(point) - a.velocity_at_world_point(point)
-    return float((moves + arbiter.surface_velocity).dot(arbiter.normal.perpendicular()))
+    relative_velocity: Vec2d = b.velocity_at_world_point(point) - a.velocity_at_world_point(point)
+    return float((relative_velocity + arbiter.surface_velocity).dot(arbiter.normal.perpendicular()))
 
 
 def _points(arbiter: pymunk.Arbiter) -> tuple[Vec2d, Vec2d]:

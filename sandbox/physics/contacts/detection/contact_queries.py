@@ -82,8 +82,8 @@ def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
     body = shape.body
     assert body
     position, depths = body.position, list[float]()
-    for way in ((NUDGE, 0), (-NUDGE, 0), (0, NUDGE), (0, -NUDGE)):
-        body.position = position + way
+    for shift in ((NUDGE, 0), (-NUDGE, 0), (0, NUDGE), (0, -NUDGE)):
+        body.position = position + shift
         shape.cache_bb()
         found = shape.shapes_collide(other)
         if found.normal != (0, 0):
@@ -110,7 +110,7 @@ class Query:
         self._space, self.bodies, self.hollows, self.gates = space, bodies, hollows, gates
         self._rows = {body: row for row, body in enumerate(bodies)}
 
-    def updated(self, known: Contacts, moved: Collection[int], min_depth: float) -> Contacts:
+    def updated(self, contacts: Contacts, moved: Collection[int], min_depth: float) -> Contacts:
         """Return known contacts, updated for bodies that were moved.
 
         Pairs that now touch with more shapes, or overlap deeply at more points, get new contacts;
@@ -120,9 +120,9 @@ class Query:
         found: dict[tuple[int, int], list[ShapeContact]] = {}
         for row, other, contact in self._found(moved):
             found.setdefault((row, other), []).append(contact)
-        pairs = pairs_of(known)
+        pairs = pairs_of(contacts)
         deep = Counter[tuple[int, int]]()
-        for pair, depths in zip(pairs, known.depths, strict=True):
+        for pair, depths in zip(pairs, contacts.depths, strict=True):
             deep[pair] += int(np.count_nonzero(depths > min_depth))
         new = {
             pair: all_
@@ -130,9 +130,9 @@ class Query:
             if len(all_) > pairs.count(pair) or _deep(all_, min_depth) > deep[pair]
         }
         if not new:
-            return known
+            return contacts
         keep = [pair not in new for pair in pairs]
-        rest = Contacts._make(field[keep] for field in known)
+        rest = Contacts._make(field[keep] for field in contacts)
         return rest.followed_by(contacts_of(new)).in_order()
 
     def _found(self, moved: Collection[int]) -> Iterator[tuple[int, int, ShapeContact]]:
@@ -146,7 +146,7 @@ class Query:
                     if row < other:
                         yield row, other, found
                     elif other < row and other not in moved:  # else it is found from the other body
-                        back = [(there, here) for here, there in found.points]
+                        back = [(second, first) for first, second in found.points]
                         yield other, row, found._replace(normal=-found.normal, points=back)
 
 
@@ -158,7 +158,7 @@ def pairs_of(contacts: Contacts) -> list[tuple[int, int]]:
 def _deep(contacts: Sequence[ShapeContact], min_depth: float) -> int:
     """Return the number of points with more than the least overlap [m]."""
     pairs = ((contact.normal, *point) for contact in contacts for point in contact.points)
-    return sum(dot(here - there, normal) > min_depth for normal, here, there in pairs)
+    return sum(dot(first - second, normal) > min_depth for normal, first, second in pairs)
 
 
 def contacts_of(found: dict[tuple[int, int], list[ShapeContact]]) -> Contacts:
@@ -167,9 +167,9 @@ def contacts_of(found: dict[tuple[int, int], list[ShapeContact]]) -> Contacts:
     count = len(rows)
     points, depths = np.zeros((count, 2), dtype=complex), np.zeros((count, 2))
     for row, (_, contact) in enumerate(rows):
-        for index, (here, there) in enumerate(contact.points):
-            points[row, index] = (here + there) / 2
-            depths[row, index] = dot(here - there, contact.normal)
+        for index, (first, second) in enumerate(contact.points):
+            points[row, index] = (first + second) / 2
+            depths[row, index] = dot(first - second, contact.normal)
     normals = np.array([contact.normal for _, contact in rows])
     return NO_CONTACTS._replace(
         bodies=np.array([pair for pair, _ in rows], dtype=np.intp),

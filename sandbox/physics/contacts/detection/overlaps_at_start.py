@@ -95,15 +95,15 @@ def _arcs_in_arcs(names: Mapping[pymunk.Body, str], hollows: Hollows | None) -> 
         arc, body = piece.arc, shape.body
         if arc is None or piece.outward or body is None or arc.cosine < -1:
             continue  # no arc, the end of one, or a whole circle, which parts as a disc does
-        turned = complex(*body.rotation_vector)
-        center = complex(*body.position) + turned * arc.center
-        middle, half = turned * arc.middle, acos(arc.cosine)
+        rotation = complex(*body.rotation_vector)
+        center = complex(*body.position) + rotation * arc.center
+        middle, half = rotation * arc.middle, acos(arc.cosine)
         circle = (*(round(x, DIGITS) for x in (center.real, center.imag, arc.radius)),)
         same = seen.setdefault(circle, [])
-        for other, way, reach in same:
-            common = (half + reach - abs(phase(way / middle))) * arc.radius
-            moves = pymunk.Body.DYNAMIC in (body.body_type, other.body_type)
-            if moves and meets(body, other) and common > TOUCHING:
+        for other, direction, reach in same:
+            common = (half + reach - abs(phase(direction / middle))) * arc.radius
+            one_moves = pymunk.Body.DYNAMIC in (body.body_type, other.body_type)
+            if one_moves and meets(body, other) and common > TOUCHING:
                 first, second = sorted((names[body], names[other]))
                 yield Overlap(arc.outer - arc.inner, (first, second), directed=False)
         same.append((body, middle, half))

@@ -70,14 +70,14 @@ class Path:
 
     def pose_at(self, t: float) -> Array:
         """Return the positions at a time: (n, 3)."""
-        lasted = (t - self.start)[:, None]
-        then = self.velocity + self.acceleration * lasted
-        return self.pose + (self.velocity + then) * (lasted / 2)
+        elapsed = (t - self.start)[:, None]
+        velocity = self.velocity + self.acceleration * elapsed
+        return self.pose + (self.velocity + velocity) * (elapsed / 2)
 
     def at(self, t: float) -> tuple[Array, Array]:
         """Return positions and velocities at a time: (n, 3) each."""
-        lasted = (t - self.start)[:, None]
-        return self.pose_at(t), self.velocity + self.acceleration * lasted
+        elapsed = (t - self.start)[:, None]
+        return self.pose_at(t), self.velocity + self.acceleration * elapsed
 
     def turn(self, t: float, jump: Array, struck: Booleans) -> None:
         """Add a jump to the velocities of the bodies that are struck at a time."""
@@ -88,37 +88,39 @@ class Path:
         self.struck |= struck
 
 
-class Motion:
+class BodyMotion:
     """The motion of a body at a time on its path, in complex numbers."""
 
     def __init__(self, path: Path, body: int, t: float) -> None:
-        lasted = t - float(path.start[body])
+        elapsed = t - float(path.start[body])
         x, y, angle = path.pose[body].tolist()
-        vx, vy, spin = path.velocity[body].tolist()
-        ax, ay, self.twist = path.acceleration[body].tolist()
+        vx, vy, start_angular_velocity = path.velocity[body].tolist()
+        ax, ay, self.angular_acceleration = path.acceleration[body].tolist()
         self.acceleration = complex(ax, ay)
-        self.velocity = complex(vx, vy) + self.acceleration * lasted
-        self.spin = spin + self.twist * lasted
-        self.pose = complex(x, y) + (complex(vx, vy) + self.velocity) * (lasted / 2)
-        self.turned = rect(1, angle + (spin + self.spin) * (lasted / 2))
+        self.velocity = complex(vx, vy) + self.acceleration * elapsed
+        self.angular_velocity = start_angular_velocity + self.angular_acceleration * elapsed
+        self.position = complex(x, y) + (complex(vx, vy) + self.velocity) * (elapsed / 2)
+        self.rotation = rect(
+            1, angle + (start_angular_velocity + self.angular_velocity) * (elapsed / 2)
+        )
 
     @property
     def turns(self) -> bool:
         """Whether the body rotates."""
-        return self.spin != 0 or self.twist != 0
+        return self.angular_velocity != 0 or self.angular_acceleration != 0
 
-    def put(self, corners: Sequence[complex]) -> list[complex]:
+    def place(self, corners: Sequence[complex]) -> list[complex]:
         """Return the positions of points of the body in the plane."""
-        return [self.pose + self.turned * corner for corner in corners]
+        return [self.position + self.rotation * corner for corner in corners]
 
-    def speed(self, point: complex) -> complex:
+    def velocity_at(self, point: complex) -> complex:
         """Return the velocity of the body at a point of the plane."""
-        return self.velocity + 1j * self.spin * (point - self.pose)
+        return self.velocity + 1j * self.angular_velocity * (point - self.position)
 
-    def bend(self, reach: float, dt: float) -> float:
+    def turning_bound(self, reach: float, dt: float) -> float:
         """Return a bound on the acceleration by rotation of points within a reach [m]."""
-        fastest = abs(self.spin) + abs(self.twist) * dt
-        return reach * (fastest * fastest + abs(self.twist))
+        fastest = abs(self.angular_velocity) + abs(self.angular_acceleration) * dt
+        return reach * (fastest * fastest + abs(self.angular_acceleration))
 
 
 def meet(
@@ -138,91 +140,98 @@ def meet(
     [m/s, rad/s].
     """
     t, at_end = start, False
-    gets = [
-        [complex(*way) for way in velocity_changes[:, o.body, :2].tolist()] for o in (one, other)
+    changes_of_pair = [
+        [complex(*change) for change in velocity_changes[:, o.body, :2].tolist()]
+        for o in (one, other)
     ]
     for _ in range(TRIES):
-        here, there = Motion(path, one.body, t), Motion(path, other.body, t)
-        cores = here.put(one.corners), there.put(other.corners)
+        first, second = BodyMotion(path, one.body, t), BodyMotion(path, other.body, t)
+        cores = first.place(one.corners), second.place(other.corners)
         found = gap(*cores, one.radius + other.radius)
-        if found.distance <= (_rounding(here, there) if at_end else _touch(here, there)):
+        if found.distance <= (_rounding(first, second) if at_end else _touch(first, second)):
             if _passes(one, cores, found.normal) or _passes(other, cores[::-1], -found.normal):
                 return None
-            hit = _hit(t, (one, other), (here, there), found)
-            speeds = here.velocity, there.velocity
+            hit = _hit(t, (one, other), (first, second), found)
+            speeds = first.velocity, second.velocity
             rests = t == start or at_end
-            allowed = _allowed(found.normal, speeds, gets, rests=rests)
+            allowed = _allowed(found.normal, speeds, changes_of_pair, rests=rests)
             if hit.parting < -allowed:
                 return hit
             if hit.parting <= allowed:
                 return None
         if at_end:
             return None
-        t += _clear(found.normal, (here, there), cores, (one, other), until - t)
+        t += _clear(found.normal, (first, second), cores, (one, other), until - t)
         if t > until:
             t, at_end = until, True
     return None
 
 
 def _allowed(
-    normal: complex, speeds: Sequence[complex], gets: Sequence[list[complex]], *, rests: bool
+    normal: complex,
+    speeds: Sequence[complex],
+    velocity_changes: Sequence[list[complex]],
+    *,
+    rests: bool,
 ) -> float:
     """Return the approach velocity that counts as zero, or with which bodies may still rest [m/s].
 
-    `gets` are the changes of velocity of each body, as `velocity_changes` of `meet`.
+    `velocity_changes` are the changes of velocity of each body, as `velocity_changes` of `meet`.
     """
-    allowed = ROUNDING * max(abs(rate) for rate in (*speeds, gets[0][0], gets[1][0]))
+    allowed = ROUNDING * max(
+        abs(rate) for rate in (*speeds, velocity_changes[0][0], velocity_changes[1][0])
+    )
     if rests:
-        allowed += max(abs(dot(normal, b - a)) for a, b in zip(*gets, strict=True))
+        allowed += max(abs(dot(normal, b - a)) for a, b in zip(*velocity_changes, strict=True))
     return allowed
 
 
 def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
     """Return the contact of two shapes at a time, separating or not; None without a contact."""
-    here, there = Motion(path, one.body, t), Motion(path, other.body, t)
-    cores = here.put(one.corners), there.put(other.corners)
+    first, second = BodyMotion(path, one.body, t), BodyMotion(path, other.body, t)
+    cores = first.place(one.corners), second.place(other.corners)
     found = gap(*cores, one.radius + other.radius)
-    if found.distance > _touch(here, there) + NEAR:
+    if found.distance > _touch(first, second) + NEAR:
         return None
     if _passes(one, cores, found.normal) or _passes(other, cores[::-1], -found.normal):
         return None
-    return _hit(t, (one, other), (here, there), found)
+    return _hit(t, (one, other), (first, second), found)
 
 
 def nearest(path: Path, one: Outline, other: Outline, t: float) -> Hit:
     """Return the places where two shapes are nearest at a time."""
-    here, there = Motion(path, one.body, t), Motion(path, other.body, t)
-    found = gap(here.put(one.corners), there.put(other.corners), one.radius + other.radius)
-    return _hit(t, (one, other), (here, there), found)._replace(gap=found.distance)
+    first, second = BodyMotion(path, one.body, t), BodyMotion(path, other.body, t)
+    found = gap(first.place(one.corners), second.place(other.corners), one.radius + other.radius)
+    return _hit(t, (one, other), (first, second), found)._replace(gap=found.distance)
 
 
-def _touch(here: Motion, there: Motion) -> float:
+def _touch(first: BodyMotion, second: BodyMotion) -> float:
     """Return the gap at which bodies touch [m]."""
-    return TOUCH + max(CLOSE, _rounding(here, there))
+    return TOUCH + max(CLOSE, _rounding(first, second))
 
 
-def _rounding(here: Motion, there: Motion) -> float:
+def _rounding(first: BodyMotion, second: BodyMotion) -> float:
     """Return the rounding error of the gap between bodies [m]."""
-    return FAR * max(abs(here.pose), abs(there.pose))
+    return FAR * max(abs(first.position), abs(second.position))
 
 
 def _hit(
-    t: float, outlines: tuple[Outline, Outline], bodies: tuple[Motion, Motion], found: Gap
+    t: float, outlines: tuple[Outline, Outline], bodies: tuple[BodyMotion, BodyMotion], found: Gap
 ) -> Hit:
     """Return the hit of two touching shapes."""
-    (one, other), (here, there) = outlines, bodies
+    (one, other), (first, second) = outlines, bodies
     n = found.normal
     points = tuple(p + n * one.radius for p in found.points)
-    parting = min(dot(n, there.speed(p) - here.speed(p)) for p in points)
+    parting = min(dot(n, second.velocity_at(p) - first.velocity_at(p)) for p in points)
     return Hit(t, (one.body, other.body), n, points, parting)
 
 
 def _clear(
     normal: complex,
-    bodies: tuple[Motion, Motion],
+    bodies: tuple[BodyMotion, BodyMotion],
     cores: tuple[Sequence[complex], ...],
     outlines: tuple[Outline, Outline],
-    left: float,
+    time_left: float,
 ) -> float:
     """Return a time during which two outlines certainly stay apart, within the time left [s].
 
@@ -230,33 +239,41 @@ def _clear(
     rotates with either body. Along a fixed normal alone, a rotating side soon seems to cross a
     corner from which it only separates.
     """
-    here, there = bodies
+    first, second = bodies
     one, other = outlines
     radii = one.radius + other.radius
-    bend = here.bend(one.extent, left) + there.bend(other.extent, left)
-    curve = dot(normal, there.acceleration - here.acceleration) - bend
-    moving = [(q, there.speed(q)) for q in cores[1]]
-    resting = min(
-        _crossing(dot(normal, q - p) - radii, dot(normal, goes - moves), curve)
-        for p, moves in ((p, here.speed(p)) for p in cores[0])
-        for q, goes in moving
+    acceleration_bound = first.turning_bound(one.extent, time_left) + second.turning_bound(
+        other.extent, time_left
     )
-    times = [resting]
-    if here.turns and len(cores[0]) > 1:
-        times.append(_turning(normal, here, there, cores, other.extent, radii, left))
-    if there.turns and len(cores[1]) > 1:
-        times.append(_turning(-normal, there, here, cores[::-1], one.extent, radii, left))
+    relative_acceleration = (
+        dot(normal, second.acceleration - first.acceleration) - acceleration_bound
+    )
+    moving_corners = [(q, second.velocity_at(q)) for q in cores[1]]
+    fixed_normal_time = min(
+        _crossing(
+            dot(normal, q - p) - radii,
+            dot(normal, other_velocity - velocity),
+            relative_acceleration,
+        )
+        for p, velocity in ((p, first.velocity_at(p)) for p in cores[0])
+        for q, other_velocity in moving_corners
+    )
+    times = [fixed_normal_time]
+    if first.turns and len(cores[0]) > 1:
+        times.append(_turning(normal, first, second, cores, other.extent, radii, time_left))
+    if second.turns and len(cores[1]) > 1:
+        times.append(_turning(-normal, second, first, cores[::-1], one.extent, radii, time_left))
     return max(times)
 
 
 def _turning(
     normal: complex,
-    first: Motion,
-    other: Motion,
+    first: BodyMotion,
+    other: BodyMotion,
     cores: tuple[Sequence[complex], ...],
     reach: float,
     radii: float,
-    left: float,
+    time_left: float,
 ) -> float:
     """Return how long the corners of `other` stay clear of `first`, along a normal of `first` [s].
 
@@ -264,28 +281,34 @@ def _turning(
     For the other's corners, at z from its centre, the acceleration differs from that in the plane
     by at most 2 ω dz/dt + (dω/dt + ω²) z.
     """
-    spin = abs(first.spin) + abs(first.twist) * left
-    acceleration = abs(other.acceleration - first.acceleration) + other.bend(reach, left)
+    speed_bound = abs(first.angular_velocity) + abs(first.angular_acceleration) * time_left
+    acceleration = abs(other.acceleration - first.acceleration) + other.turning_bound(
+        reach, time_left
+    )
     top = max(dot(normal, corner) for corner in cores[0]) + radii
     times = []
     for corner in cores[1]:
-        way, moves = corner - first.pose, other.speed(corner) - first.velocity
-        fastest = abs(moves) + acceleration * left
-        farthest = abs(way) + fastest * left
-        curve = -acceleration - 2 * spin * fastest - (abs(first.twist) + spin * spin) * farthest
-        rate = dot(normal, moves - 1j * first.spin * way)
-        times.append(_crossing(dot(normal, corner) - top, rate, curve))
+        arm, relative_velocity = corner - first.position, other.velocity_at(corner) - first.velocity
+        fastest = abs(relative_velocity) + acceleration * time_left
+        farthest = abs(arm) + fastest * time_left
+        acceleration_along = (
+            -acceleration
+            - 2 * speed_bound * fastest
+            - (abs(first.angular_acceleration) + speed_bound * speed_bound) * farthest
+        )
+        rate = dot(normal, relative_velocity - 1j * first.angular_velocity * arm)
+        times.append(_crossing(dot(normal, corner) - top, rate, acceleration_along))
     return min(times)
 
 
-def _crossing(height: float, rate: float, curve: float) -> float:
+def _crossing(height: float, rate: float, acceleration: float) -> float:
     """Return when height + rate t + curve t² / 2 falls, or falls back, to `TOUCH`."""
     above = max(height - TOUCH, 0.0)
-    square = rate * rate - 2 * curve * above
+    square = rate * rate - 2 * acceleration * above
     if square < 0:
         return inf
     if rate > 0:
-        return (-rate - sqrt(square)) / curve if curve < 0 else inf
+        return (-rate - sqrt(square)) / acceleration if acceleration < 0 else inf
     falls = sqrt(square) - rate
     return 2 * above / falls if falls > 0 else inf
 
@@ -299,8 +322,8 @@ def _passes(line: Outline, cores: tuple[Sequence[complex], ...], normal: complex
         return False
     (a, b), center = cores[0], cores[1][0]
     ahead = (b - a) / (line.corners[1] - line.corners[0])  # the rotation of the line
-    for end, way in zip((a, b), line.continuations, strict=True):
+    for end, continuation in zip((a, b), line.continuations, strict=True):
         reached = abs(abs(center - end) - abs(dot(normal, center - end))) <= FLUSH
-        if way and reached and dot(-normal, way * ahead) < 0:
+        if continuation and reached and dot(-normal, continuation * ahead) < 0:
             return True
     return False

@@ -25,11 +25,11 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
-from sandbox.physics.contacts.direct.drifts.drift_parts import CutDrift, DriftPart
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
 from sandbox.physics.contacts.direct.drifts.joint_catches import Pulls, caught
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
+from sandbox.physics.contacts.direct.drifts.subdrifts import CutDrift, Subdrift
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
 from sandbox.physics.contacts.direct.kicks.breaking_loose import with_breakaway
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
@@ -43,8 +43,8 @@ from sandbox.physics.contacts.direct.solving.blocked_drives import is_blocked
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
-from sandbox.physics.joints.exact.joint_system import Course
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, coordinate_indices
+from sandbox.physics.joints.exact.joint_system import KeptLengths
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
@@ -74,7 +74,7 @@ class DirectSolver:
         self._fixed, self._none = np.flatnonzero(~self._moves), np.zeros(len(inertia), dtype=bool)
         self._meets = any(body.shapes for body in query.bodies)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
-        self._order = order(len(inertia))
+        self._order = coordinate_indices(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
         self._pre_kick = self._acceleration = self._change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
@@ -151,17 +151,17 @@ class DirectSolver:
             struck = self.last.struck[:, None]
             self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
         if landed:
-            onwards = landed.end_acceleration * self._dt
-            self._change = np.where(landed.reached[:, None], onwards, self._change)
+            velocity_change = landed.end_acceleration * self._dt
+            self._change = np.where(landed.reached[:, None], velocity_change, self._change)
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
         self._build.go_on(t)
 
-    def without_correction(self, course: Course) -> Kick:
-        """Return the system of all contacts and joints at present, before a drift of a course."""
+    def without_correction(self, kept_lengths: KeptLengths) -> Kick:
+        """Return the system of all contacts and joints at present, before a drift."""
         self.relay()
-        return self._build.without_correction(course)
+        return self._build.without_correction(kept_lengths)
 
     def relay(self) -> None:
         """Begin anew with other joints, at the present positions."""
@@ -266,11 +266,11 @@ class DirectSolver:
             return None
         taken, look = self._taken, self._speculative
         pose, motion = taken.coordinates if taken else self._joints.coordinates()
-        way = self._dt * motion.values
+        displacement = self._dt * motion.values
         ends = taken and (
-            taken.strikes or taken.flat or look.ends.passing(taken.kick, way, taken.forces)
+            taken.strikes or taken.flat or look.ends.passing(taken.kick, displacement, taken.forces)
         )
-        lands = ends or look.approaching.near(self._build.contacts, pose, way)
+        lands = ends or look.approaching.near(self._build.contacts, pose, displacement)
         if not (lands or pulls or (taken and taken.slides)):
             return None
         whole, (laws,) = self._whole_drift(pose, motion.values), self._spread(self._acceleration)
@@ -292,8 +292,8 @@ class DirectSolver:
         last, start = parts[-1], self._batch.state()[:, :3]
         landed = CutDrift(whole, parts, laws, landings.reached, start)
         divided = landed.divided
-        ways = (divided.end_pose - start) / self._dt
-        mean = np.where(landed.reached[:, None], ways, divided.post_kick_velocity)
+        mean_velocity = (divided.end_pose - start) / self._dt
+        mean = np.where(landed.reached[:, None], mean_velocity, divided.post_kick_velocity)
         self.drifts.divide(divided, mean)
         self.drifts.land(landings.record)
         self._batch.set_velocity(mean)
@@ -302,20 +302,20 @@ class DirectSolver:
 
     def _stop(self, kick: Kick, crowded: Booleans) -> None:
         """Let what would land in a crowd, (n,), come to touch after a kick, and go no further."""
-        start, known, look, build = self._beginning(), self._warm, self._speculative, self._build
-        taken = self._taken or solve_kick(kick, start, known)
-        found = stopped(taken, crowded, look, build, lambda _, kick: solve_kick(kick, start, known))
+        start, warm, look, build = self._beginning(), self._warm, self._speculative, self._build
+        taken = self._taken or solve_kick(kick, start, warm)
+        found = stopped(taken, crowded, look, build, lambda _, kick: solve_kick(kick, start, warm))
         self._keep(found[0], start)
 
-    def _whole_drift(self, pose: Coordinates, moved: Array) -> DriftPart:
+    def _whole_drift(self, pose: Coordinates, velocity: Array) -> Subdrift:
         """Return the drift after a kick as one part, with velocities (3 N,)."""
         dt, joints = self._dt, self._joints
         if self._taken:
-            return DriftPart.whole_drift(self._taken, dt, moved)
+            return Subdrift.whole_drift(self._taken, dt, velocity)
         begun, taut = self._spread(self._pre_kick)[0], joints.expected()[1]
-        held = Active(taut, np.zeros(0, dtype=np.intp))
+        active = Active(taut, np.zeros(0, dtype=np.intp))
         duration, kick = joints.kick, self._build.at(pose)
-        return DriftPart(kick, dt, dt, begun, duration, joints.tension, held, moved)
+        return Subdrift(kick, dt, dt, begun, duration, joints.tension, active, velocity)
 
     def _beginning(self) -> KickStart:
         """Return the state and the forces at the beginning of this kick."""

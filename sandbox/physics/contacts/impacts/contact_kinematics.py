@@ -15,19 +15,19 @@ def point_velocity(rate: Array, arm: Array) -> Array:
     across = np.empty(arm.shape)
     np.negative(arm[..., 1], out=across[..., 0])
     across[..., 1] = arm[..., 0]
-    moves: Array = rate[..., :2] + rate[..., 2:] * across
-    return moves
+    velocity: Array = rate[..., :2] + rate[..., 2:] * across
+    return velocity
 
 
-def pair_jacobian(arm: Array, way: Array) -> Array:
+def pair_jacobian(arm: Array, direction: Array) -> Array:
     """Return the Jacobian of the relative velocity of two bodies along a direction: (k, 2, 3).
 
     `arm`, (k, 2, 2), are the lever arms from the centre of each body to the contact point [m];
-    `way`, (k, 2), are unit vectors: the normals or the tangents.
+    `direction`, (k, 2), are unit vectors: the normals or the tangents.
     """
-    jacobian = np.empty((len(way), 2, 3))
-    jacobian[:, :, :2] = way[:, None]
-    jacobian[:, :, 2] = arm[..., 0] * way[:, None, 1] - arm[..., 1] * way[:, None, 0]
+    jacobian = np.empty((len(direction), 2, 3))
+    jacobian[:, :, :2] = direction[:, None]
+    jacobian[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
     jacobian[:, 0] *= -1
     return jacobian
 

@@ -33,9 +33,9 @@ class KickRecord(NamedTuple):
 
 def normal_impulse(contacts: Contacts, row: int) -> Array:
     """Return the impulse of all contacts on a body: (2,)."""
-    given = contacts.impulse[contacts.bodies[:, 1] == row].sum(axis=0)
+    impulse = contacts.impulse[contacts.bodies[:, 1] == row].sum(axis=0)
     taken = contacts.impulse[contacts.bodies[:, 0] == row].sum(axis=0)
-    return np.asarray(given - taken)
+    return np.asarray(impulse - taken)
 
 
 def completed(contacts: Contacts, impulse: Array) -> Contacts:
@@ -101,13 +101,13 @@ def contact_friction_work(
     work = {"bodies": 0.0, "belt": 0.0}
     for side, sign in ((0, -1.0), (1, 1.0)):
         rows = contacts.bodies[:, side]
-        arm, goes = on_surfaces[:, side] - positions[rows], mean_velocity[rows]
-        moves = point_velocity(goes, arm)
-        driven = inertia[rows, 0] == 0
+        arm, velocity = on_surfaces[:, side] - positions[rows], mean_velocity[rows]
+        point_velocities = point_velocity(velocity, arm)
+        is_kinematic = inertia[rows, 0] == 0
         runs = running[rows]
-        slip += sign * (moves + runs)
-        gives = np.sum(contacts.impulse * moves, axis=1) + torques * goes[:, 2]
-        work["bodies"] -= sign * float(np.sum(gives[driven]))
+        slip += sign * (point_velocities + runs)
+        gives = np.sum(contacts.impulse * point_velocities, axis=1) + torques * velocity[:, 2]
+        work["bodies"] -= sign * float(np.sum(gives[is_kinematic]))
         work["belt"] -= sign * float(np.sum(friction * runs))
     return float(np.sum(friction * slip)), work
 

@@ -75,8 +75,8 @@ def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
     `arms`, (k, 2, 2, 2), are the lever arms from `touching` [m]; `rate`, (..., n, 3), are the
     velocities, or accelerations, of the bodies [m/s, rad/s].
     """
-    moves = point_velocity(rate[..., contacts.bodies, :][..., None, :, :], arms)
-    apart = moves[..., 1, :] - moves[..., 0, :]
+    point_velocities = point_velocity(rate[..., contacts.bodies, :][..., None, :, :], arms)
+    apart = point_velocities[..., 1, :] - point_velocities[..., 0, :]
     parting: Array = np.sum(apart * contacts.direction[:, None], axis=-1)
     return parting
 
@@ -116,10 +116,10 @@ def _held_up(
         away[fixed[body] | ~holds[other]] = 0.0
         most = np.zeros(len(law_acceleration))
         np.minimum.at(most, body, away)
-        pressed = np.flatnonzero((away < least) & (away == most[body]))
-        if not pressed.size:
+        pressing = np.flatnonzero((away < least) & (away == most[body]))
+        if not pressing.size:
             break
-        pressed = pressed[np.unique(body[pressed], return_index=True)[1]]  # one contact a body
-        acceleration[body[pressed], :2] -= away[pressed, None] * outwards[pressed]
-        holds[body[pressed]] = True
+        pressing = pressing[np.unique(body[pressing], return_index=True)[1]]  # one contact a body
+        acceleration[body[pressing], :2] -= away[pressing, None] * outwards[pressing]
+        holds[body[pressing]] = True
     return acceleration

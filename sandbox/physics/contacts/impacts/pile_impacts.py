@@ -221,10 +221,10 @@ def pushes(delassus: Array, parting: Array) -> Array:
             left = impulse[now][pulls]
             share = left / np.maximum(left - wanted[pulls], TINY)
             first = int(share.argmin())
-            gone = share == share[first]
-            gone[first] = True  # even if NaN: one less each time, to terminate
+            released = share == share[first]
+            released[first] = True  # even if NaN: one less each time, to terminate
             impulse[now] += share[first] * (wanted - impulse[now])
-            active[now[pulls[gone]]] = False
+            active[now[pulls[released]]] = False
             impulse[~active] = 0.0
             if not active.any():
                 break

@@ -45,7 +45,7 @@ class Sequence:
         self._before: partial[Array] | None = None  # constraint accelerations in the kick before
         self.last = ImpactOutcome.none(len(inverse_mass))
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and its impulses
-        self._places = _Places.of(NO_CONTACTS, self._turning)
+        self._indices = _PointIndices.of(NO_CONTACTS, self._turning)
 
     def collide(self, law_acceleration: Array, *, start: bool) -> None:
         """Let touching bodies that approach collide, and change their velocities.
@@ -61,12 +61,13 @@ class Sequence:
         jump, impulse = np.zeros_like(begins), np.zeros(len(begins))
         contacts = self._batch.contacts()
         if len(contacts.bodies):
-            held = before = np.zeros_like(law_acceleration)
+            constraint_acceleration = before = np.zeros_like(law_acceleration)
             if not start:
-                held = _constraint_acceleration(begins, *last_kick)
-                before = self._before() if self._before else held
-                velocity = begins + (law_acceleration + held) * (self._dt / 2)
-            other = np.stack((np.zeros_like(held), held, before))  # by joints and contacts
+                constraint_acceleration = _constraint_acceleration(begins, *last_kick)
+                before = self._before() if self._before else constraint_acceleration
+                velocity = begins + (law_acceleration + constraint_acceleration) * (self._dt / 2)
+            nothing = np.zeros_like(constraint_acceleration)
+            other = np.stack((nothing, constraint_acceleration, before))  # by joints and contacts
             gives = (law_acceleration + other) * self._dt
             self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
@@ -91,9 +92,9 @@ class Sequence:
         impulse: Array,
     ) -> None:
         """Add the outcome of the impacts to `jump` and `impulse`; for `gives` see `_allowed`."""
-        if not self._places.are_of(contacts):
-            self._places = _Places.of(contacts, self._turning)
-        points = self._places.points(contacts, positions)
+        if not self._indices.are_of(contacts):
+            self._indices = _PointIndices.of(contacts, self._turning)
+        points = self._indices.points(contacts, positions)
         parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
         parting = parts.sum(axis=1)
         rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
@@ -124,8 +125,8 @@ def _constraint_acceleration(
     velocity_after: Array, velocity_before: Array, duration: float, smooth: Array
 ) -> Array:
     """Return the accelerations in a kick except by gravity and laws: (n, 3) [m/s², rad/s²]."""
-    held: Array = (velocity_after - velocity_before) / duration - smooth
-    return held
+    acceleration: Array = (velocity_after - velocity_before) / duration - smooth
+    return acceleration
 
 
 class _Points(NamedTuple):
@@ -150,7 +151,7 @@ class _Points(NamedTuple):
         return over_bodies(self.jacobian, self.bodies, count)
 
 
-class _Places(NamedTuple):
+class _PointIndices(NamedTuple):
     """The indices of contact points; without rotation, one point of a side represents both.
 
     `pairs` and `touches` are the bodies of the contacts, and their numbers of contact points; see
@@ -166,7 +167,7 @@ class _Places(NamedTuple):
     partner: Integers
 
     @classmethod
-    def of(cls, contacts: Contacts, turning: Booleans) -> "_Places":
+    def of(cls, contacts: Contacts, turning: Booleans) -> "_PointIndices":
         """Return the indices for contacts, given the bodies that can rotate, (n,)."""
         pairs, touches, count = contacts.bodies, contacts.touches, len(contacts.bodies)
         two = np.flatnonzero((touches == 2) & turning[pairs].any(axis=1))
@@ -200,5 +201,7 @@ def _allowed(points: _Points, gives: Array) -> Array:
     both = points.jacobian, gives[2, points.bodies]
     sizes = [np.sqrt(np.add.reduce(a * a, axis=2)) for a in both]
     adds = np.einsum("kbc,skbc->sk", points.jacobian, gives[:2, points.bodies])
-    alone, held = np.abs(adds)
-    return np.asarray(np.maximum(alone, np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))))
+    alone, with_constraints = np.abs(adds)
+    return np.asarray(
+        np.maximum(alone, np.minimum(with_constraints, np.sum(sizes[0] * sizes[1], axis=1)))
+    )

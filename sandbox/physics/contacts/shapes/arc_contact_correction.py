@@ -111,24 +111,25 @@ class Hollows:
         found = self._touching.get(pair)
         if found is None or not (found.sign and self._drift):
             return
-        places, motions = meeting.poses(), meeting.motions()
+        poses, motions = meeting.poses(), meeting.motions()
         if self._pieces[one].body != found.arc.body:
-            places, motions = places[::-1], motions[::-1]
+            poses, motions = poses[::-1], motions[::-1]
         before = self._along.get(pair)
-        way = relative_velocity(found, places, motions, self._drift, before)
-        hits = way.approach > HIT * max(
-            way.separation, way.along**2 * self._drift / (2 * found.arc.inner)
+        relative_motion = relative_velocity(found, poses, motions, self._drift, before)
+        hits = relative_motion.approach > HIT * max(
+            relative_motion.separation,
+            relative_motion.along**2 * self._drift / (2 * found.arc.inner),
         )
         if hits:
             self._along.pop(pair, None)
         else:
-            self._along[pair] = way.along
+            self._along[pair] = relative_motion.along
         if (
-            way.approach > 0 and way.separation > 0
+            relative_motion.approach > 0 and relative_motion.separation > 0
             if found.sign > 0
-            else abs(way.approach) > SLOWEST
+            else abs(relative_motion.approach) > SLOWEST
         ):
-            share = way.separation / way.approach
+            share = relative_motion.separation / relative_motion.approach
             meeting.bounce(max(share, meeting.restitution) if hits else share)
 
     def impacts(self, contacts: Contacts) -> Contacts:
@@ -158,8 +159,8 @@ class Hollows:
         Right after a step these are the contacts that pymunk has just solved, as it finds them at
         these positions.
         """
-        for shapes, known in self._touching.items():
-            if known:
+        for shapes, overlap in self._touching.items():
+            if overlap:
                 rows = [self._pieces[shape].body for shape in shapes]
                 found = self._judge(shapes, *(_placed(state[row]) for row in rows))
                 if isinstance(found, Touch):

@@ -25,7 +25,7 @@ from sandbox.physics.contacts.shapes.corner_feelers import (
 )
 from sandbox.physics.geometry.arc_contacts import Arc, Piece
 from sandbox.physics.geometry.outline_distance import dot
-from sandbox.physics.geometry.plane_curve import Course
+from sandbox.physics.geometry.plane_curve import MiddleLine
 
 MET = 1e-6
 """m, the largest distance between the ends of lines that continue each other."""
@@ -37,15 +37,18 @@ TANGENT = 1e-6
 class _End(NamedTuple):
     """An end of a line, an arc or a curve."""
 
-    place: complex  # in the plane
-    onwards: complex  # the unit vector in which it would continue
+    position: complex  # in the plane
+    outward: complex  # the unit vector in which it would continue
     half: float  # half its thickness
     made: ShapedBody
     first: bool  # whether it is the first end
 
 
 def make_ends(
-    made: Mapping[str, ShapedBody], lines: Mapping[str, Arc | Course], values: Values, skin: float
+    made: Mapping[str, ShapedBody],
+    lines: Mapping[str, Arc | MiddleLine],
+    values: Values,
+    skin: float,
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
     """Yield the round ends of arcs and curves, with feelers, unless another line joins there."""
     straight = [end for body in made.values() for end in _line_ends(body, values, skin)]
@@ -55,36 +58,36 @@ def make_ends(
         for end in _round_ends(made[name], line, values, skin)
     ]
     curved = [end for end, _ in rounds]
-    every, curves = _Places([*straight, *curved]), _Places(curved)
+    every, curves = _EndGrid([*straight, *curved]), _EndGrid(curved)
     for _, own in groupby(straight, key=lambda end: end.made.row):
         _join(list(own), curves)
     for end, line in rounds:
-        onwards = next((-other.onwards for other in every.meeting(end)), 0j)
-        if dot(onwards, end.onwards) > 1 - TANGENT:
+        continuation = next((-other.outward for other in every.meeting(end)), 0j)
+        if dot(continuation, end.outward) > 1 - TANGENT:
             continue
-        turned = complex(*end.made.body.rotation_vector)
-        center = (end.place - complex(*end.made.body.position)) / turned
+        rotation = complex(*end.made.body.rotation_vector)
+        center = (end.position - complex(*end.made.body.position)) / rotation
         cap = disc_like(end.made.shapes[0], center, end.half)
         arc = line if isinstance(line, Arc) else None
-        ways = end.onwards / turned, onwards / turned
-        yield cap, Piece(end.made.row, (center,), end.half, arc, *ways)
+        directions = end.outward / rotation, continuation / rotation
+        yield cap, Piece(end.made.row, (center,), end.half, arc, *directions)
         if arc:
             feeler = make_feeler(cap, center, end.half + FELT * arc.radius)
             core = tuple(end.made.points[i] for i in (0, len(end.made.points) // 2, -1))
-            yield feeler, Piece(end.made.row, core, end.half, arc, *ways, corner=center)
+            yield feeler, Piece(end.made.row, core, end.half, arc, *directions, corner=center)
 
 
-class _Places:
+class _EndGrid:
     """A hash grid of the ends of lines, so that of thousands not all pairs are compared."""
 
     def __init__(self, ends: Sequence[_End]) -> None:
         self._cells: dict[tuple[int, int], list[tuple[int, _End]]] = {}
         for number, end in enumerate(ends):
-            self._cells.setdefault(_cell(end.place), []).append((number, end))
+            self._cells.setdefault(_cell(end.position), []).append((number, end))
 
     def meeting(self, end: _End) -> Iterator[_End]:
         """Yield the ends at which a line joins that of `end`, in their order."""
-        x, y = _cell(end.place)
+        x, y = _cell(end.position)
         around = ((x + i, y + k) for i in (-1, 0, 1) for k in (-1, 0, 1))
         near = chain.from_iterable(self._cells.get(cell, ()) for cell in around)
         return (other for _, other in sorted(near, key=itemgetter(0)) if _meets(end, other))
@@ -97,27 +100,27 @@ def _cell(position: complex) -> tuple[int, int]:
 def _meets(end: _End, other: _End) -> bool:
     """Return whether two static lines join at these ends."""
     still = end.made.spec.type == other.made.spec.type == "static"
-    near = abs(end.place - other.place) <= MET and abs(end.half - other.half) <= MET
+    near = abs(end.position - other.position) <= MET and abs(end.half - other.half) <= MET
     return still and near and other is not end
 
 
 def _round_ends(
-    body: ShapedBody, line: Arc | Course, values: Values, skin: float
+    body: ShapedBody, line: Arc | MiddleLine, values: Values, skin: float
 ) -> Iterator[_End]:
     """Yield the ends of an arc or curve; a closed one has none."""
     shape = body.spec.shape
-    position, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
-    if isinstance(line, Course):
+    position, rotation = complex(*body.body.position), complex(*body.body.rotation_vector)
+    if isinstance(line, MiddleLine):
         for foot in line.ends:
-            at = position + turned * foot.point
-            tangent = turned * foot.tangent
+            at = position + rotation * foot.point
+            tangent = rotation * foot.tangent
             first = foot.parameter == 0
             onwards = -tangent if first else tangent
             yield _End(at, onwards, half_of(body, values, skin), body, first)
     elif isinstance(shape, ArcShape) and line.cosine >= -1:
         for angle, sign in ((shape.start(values), -1j), (shape.end(values), 1j)):
-            out = rect(1, angle) * turned
-            at = position + turned * line.center + line.radius * out
+            out = rect(1, angle) * rotation
+            at = position + rotation * line.center + line.radius * out
             half = (line.outer - line.inner) / 2
             yield _End(at, sign * out, half, body, angle == shape.start(values))
 
@@ -126,22 +129,22 @@ def _line_ends(body: ShapedBody, values: Values, skin: float) -> Iterator[_End]:
     shape = body.spec.shape
     if not isinstance(shape, Segment | Polyline) or body.spec.type != "static":
         return
-    position, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
+    position, rotation = complex(*body.body.position), complex(*body.body.rotation_vector)
     half = half_of(body, values, skin)
     for index, neighbour in ((0, 1), (-1, -2)):
-        at, before = (position + turned * body.points[i] for i in (index, neighbour))
+        at, before = (position + rotation * body.points[i] for i in (index, neighbour))
         yield _End(at, (at - before) / abs(at - before), half, body, index == 0)
 
 
-def _join(ends: Sequence[_End], arcs: _Places) -> None:
+def _join(ends: Sequence[_End], arcs: _EndGrid) -> None:
     """Give the end segments of a line the directions of the arcs and curves that join there."""
     line = ends[0].made
-    points, turned = line.points, complex(*line.body.rotation_vector)
+    points, rotation = line.points, complex(*line.body.rotation_vector)
     corners = [points[0], *points, points[-1]]
     joined = False
     for end in ends:
         for arc in arcs.meeting(end):
-            joined, beyond = True, -arc.onwards / turned
+            joined, beyond = True, -arc.outward / rotation
             corners[0 if end.first else -1] += beyond
     for index, shape in enumerate(line.shapes if joined else ()):
         assert isinstance(shape, pymunk.Segment)

@@ -29,8 +29,8 @@ from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
 from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.geometry.arc_contacts import Arc, Piece
 from sandbox.physics.geometry.convex_decomposition import convex_parts
-from sandbox.physics.geometry.curve_contacts import course_of
-from sandbox.physics.geometry.plane_curve import Course, Side
+from sandbox.physics.geometry.curve_contacts import middle_line_of
+from sandbox.physics.geometry.plane_curve import MiddleLine, Side
 from sandbox.physics.state.simulation_errors import SimulationError
 
 HollowShape = ArcShape | Hoop | CurveShape
@@ -72,7 +72,7 @@ def _make(
     drift: float | None,
 ) -> Hollows:
     """Make the hollow bodies of some pairs, and the feelers of the others."""
-    lines: dict[str, Arc | Course] = {
+    lines: dict[str, Arc | MiddleLine] = {
         name: line_of(made[name].row, made[name].spec, values, skin)
         for name in dict.fromkeys(hollow for hollow, _ in pairs)
     }
@@ -149,7 +149,7 @@ def _refuse_within(
         raise SimulationError(other, 0.0, rule)
 
 
-def line_of(row: int, spec: Body, values: Values, skin: float) -> Arc | Course:
+def line_of(row: int, spec: Body, values: Values, skin: float) -> Arc | MiddleLine:
     """Return the line of an arc, a hoop or a curve, along the axes of its body.
 
     `row` and `spec` are the body's index, and its description in the level; `skin` is the thickness
@@ -157,7 +157,7 @@ def line_of(row: int, spec: Body, values: Values, skin: float) -> Arc | Course:
     """
     shape = spec.shape
     if isinstance(shape, CurveShape):
-        return course_of(shape, values)
+        return middle_line_of(shape, values)
     if isinstance(shape, Hoop):
         radius = shape.radius(values)
         return Arc(row, 0j, radius, radius - skin, radius, 1 + 0j, -2.0)
@@ -178,7 +178,7 @@ def line_of(row: int, spec: Body, values: Values, skin: float) -> Arc | Course:
 
 def _pieces(
     made: Mapping[str, ShapedBody],
-    lines: Mapping[str, Arc | Course],
+    lines: Mapping[str, Arc | MiddleLine],
     values: Values,
     pairs: Sequence[tuple[str, str]],
     skin: float,

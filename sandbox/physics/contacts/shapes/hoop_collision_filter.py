@@ -14,7 +14,7 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.shapes.corner_feelers import ShapedBody, core_of
 from sandbox.physics.contacts.shapes.pair_exclusion import keep_apart
 from sandbox.physics.geometry.arc_contacts import Arc
-from sandbox.physics.geometry.plane_curve import Course
+from sandbox.physics.geometry.plane_curve import MiddleLine
 from sandbox.physics.state.simulation_errors import SimulationError
 
 NEAR = 1e-4
@@ -34,7 +34,7 @@ class Enclosures:
         self,
         space: pymunk.Space,
         made: Mapping[str, ShapedBody],
-        lines: Mapping[str, Arc | Course],
+        lines: Mapping[str, Arc | MiddleLine],
     ) -> None:
         self._space, self._made, self._lines = space, made, lines
         self._bodies = {name: body.body for name, body in made.items()}

@@ -115,8 +115,8 @@ class Gates:
         for pair, sign in (((one, other), 1), ((other, one), -1)):
             if (gate := self._gates.get(pair[0])) is None:
                 continue
-            held = self._touching(pair)
-            if not (held and self._is_right(gate, pair[0], meeting, sign)):
+            is_held = self._touching(pair)
+            if not (is_held and self._is_right(gate, pair[0], meeting, sign)):
                 meeting.refuse()
                 return False
         if accept:
@@ -130,47 +130,49 @@ class Gates:
 
     def lets_pass_at(self, one: int, other: int, at: Placed, there: Placed) -> bool:
         """Return whether one of two bodies, by row, lets the other pass from given positions."""
-        for pair, places in (((one, other), (at, there)), ((other, one), (there, at))):
+        for pair, placements in (((one, other), (at, there)), ((other, one), (there, at))):
             if pair[0] in self._gates:
-                seen = self._side(pair, *places)
+                seen = self._side(pair, *placements)
                 if not (seen == self._gates[pair[0]].hand if seen else self._was_held(pair)):
                     return True
         return False
 
     def _touching(self, pair: Pair) -> bool:
         """Return whether a pair that touches in this step is held, and remember it."""
-        held = self._was_held(pair)
-        self._held[pair] = held, self._steps
-        return held
+        is_held = self._was_held(pair)
+        self._held[pair] = is_held, self._steps
+        return is_held
 
     def _was_held(self, pair: Pair) -> bool:
         """Return whether a pair is held; if it touched in the step before, as it was then."""
-        held, touched = self._held.get(pair, (False, -2))
+        was_held, touched = self._held.get(pair, (False, -2))
         if touched >= self._steps - 1:
-            return held
+            return was_held
         before = self._before or [_placed(body) for body in self._bodies]
         return self._side(pair, before[pair[0]], before[pair[1]]) == self._gates[pair[0]].hand
 
     def _side(self, pair: Pair, at: Placed, there: Placed) -> int:
         """Return the side of a gate on which a body is; 0 if it overlaps it or is past its end."""
         gate = self._gates[pair[0]]
-        way, turn = (there[0] - at[0]) / at[1], there[1] / at[1]
+        offset, turn = (there[0] - at[0]) / at[1], there[1] / at[1]
         seen = [
-            side(gate.line, [to_plane((way, turn), corner) for corner in core], gate.half + radius)
+            side(
+                gate.line, [to_plane((offset, turn), corner) for corner in core], gate.half + radius
+            )
             for core, radius in self._parts[pair[1]]
         ]
         return min(seen, key=itemgetter(1))[0] if all(hand for hand, _ in seen) else 0
 
     def _is_right(self, gate: _Gate, row: int, meeting: PreSolveContact, sign: int) -> bool:
         """Return whether a contact pushes the body to the side on which it is held."""
-        at, turned = _placed(self._bodies[row])
-        left = gate.line.nearest((meeting.point - at) / turned).left * turned
+        at, rotation = _placed(self._bodies[row])
+        left = gate.line.nearest((meeting.point - at) / rotation).left * rotation
         return gate.hand * sign * dot(meeting.normal, left) > 0
 
 
 def _placed(body: pymunk.Body) -> Placed:
-    turned = rect(1, body.angle) if isfinite(body.angle) else complex(nan, nan)
-    return complex(*body.position), turned  # non-finite positions are reported after the step
+    rotation = rect(1, body.angle) if isfinite(body.angle) else complex(nan, nan)
+    return complex(*body.position), rotation  # non-finite positions are reported after the step
 
 
 def _gate(spec: Body, row: int, values: Values, skin: float) -> _Gate:

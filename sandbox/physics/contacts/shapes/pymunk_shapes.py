@@ -25,7 +25,7 @@ from sandbox.model.shapes import (
 )
 from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
-from sandbox.physics.geometry.curve_contacts import course_of
+from sandbox.physics.geometry.curve_contacts import middle_line_of
 from sandbox.physics.geometry.outline_distance import smallest_width
 from sandbox.physics.geometry.plane_curve import Stretch
 
@@ -119,7 +119,7 @@ def _outline(
             return [pymunk.Circle(body, outer, (center.real, center.imag))]
         case Curve(thickness=thickness):
             half = thickness(values) / 2 + skin
-            return [_around(body, part, half) for part in course_of(shape, values).stretches]
+            return [_around(body, part, half) for part in middle_line_of(shape, values).stretches]
 
 
 def _around(body: pymunk.Body, part: Stretch, half: float) -> pymunk.Shape:

@@ -65,7 +65,7 @@ class RackEquation:
         """Return the displacement of the bar beyond the wheel's rotation, and its gradient."""
         body = number(self.end)
         arm = self.end.point * exp(1j * pose.angle[body])
-        apart = complex(pose.plane[body] + arm - pose.plane[self.wheel])
+        apart = complex(pose.position[body] + arm - pose.position[self.wheel])
         along = (self.direction.conjugate() * apart).real
         return along - self.radius * float(pose.angle[self.wheel]), (
             Share(body, self.direction, (self.direction.conjugate() * 1j * arm).real),
@@ -94,7 +94,7 @@ class SlotEquation:
         body, frame = number(self.end), number(self.slot)
         normal = self.normal * exp(1j * pose.angle[frame])
         arm = self.end.point * exp(1j * pose.angle[body])
-        apart = complex(pose.plane[body] + arm - pose.plane[frame])
+        apart = complex(pose.position[body] + arm - pose.position[frame])
         beside = (normal.conjugate() * apart - self.normal.conjugate() * self.slot.point).real
         return beside, (
             Share(body, normal, (normal.conjugate() * 1j * arm).real),
@@ -129,7 +129,7 @@ class WindingEquation:
         """
         body = number(self.end)
         arm = self.end.point * exp(1j * pose.angle[body])
-        apart = complex(pose.plane[body] + arm - pose.plane[self.wheel])
+        apart = complex(pose.position[body] + arm - pose.position[self.wheel])
         square = abs(apart) ** 2 - self.radius**2
         if square <= 0:
             raise JointFailure(
@@ -157,8 +157,8 @@ def pin(name: str, a: Anchor, b: Anchor) -> list[Row]:
 def where(a: Anchor, b: Anchor, start: Coordinates) -> complex:
     """Return the position of the point b in the axes of the body of a [m]."""
     first, second = number(a), number(b)
-    point = start.plane[second] + b.point * exp(1j * start.angle[second])
-    return complex((point - start.plane[first]) * exp(-1j * start.angle[first]))
+    point = start.position[second] + b.point * exp(1j * start.angle[second])
+    return complex((point - start.position[first]) * exp(-1j * start.angle[first]))
 
 
 def starting(equation: Gearing, start: Coordinates) -> Gearing:

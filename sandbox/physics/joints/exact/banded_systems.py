@@ -9,9 +9,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
+from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.joints.exact.constraint_interface import MAX_ITERATIONS, QUADRATIC, Coordinates
 from sandbox.physics.joints.exact.distance_equations import Reaches
 
@@ -20,8 +20,6 @@ FEWEST = 48
 
 NARROW = 0.2
 """The largest half bandwidth that pays, over the number of equations."""
-
-Places = NDArray[np.intp]
 
 
 class Linearization(NamedTuple):
@@ -122,7 +120,7 @@ class Banded:
         return impulse, motion.values - self.response(here, impulse), wrong
 
 
-def _close_together(rows: Places, columns: Places, count: int) -> Places:
+def _close_together(rows: Integers, columns: Integers, count: int) -> Integers:
     """Return an order of the equations that brings coupled ones, given in pairs, close together."""
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import reverse_cuthill_mckee

@@ -15,10 +15,10 @@ from sandbox.physics.joints.exact.constraint_interface import (
     MAX_ITERATIONS,
     QUADRATIC,
     Coordinates,
+    coordinate_indices,
     inertia_of,
     kinetic_energy,
-    order,
-    planes,
+    translations,
 )
 from sandbox.physics.joints.exact.shake import ExactJoints, parabola
 
@@ -35,7 +35,7 @@ class ManyJoints:
 
     def __init__(self, joints: Sequence[ExactJoints], step: float) -> None:
         first = joints[0]
-        self._order, self._step = order(len(first.inverse) // 3 - 1), step
+        self._order, self._step = coordinate_indices(len(first.inverse) // 3 - 1), step
         self._reaches = first.reaches.with_points(np.array([one.reaches.points for one in joints]))
         self._inverse = np.array([one.inverse for one in joints])
         self._inertia = inertia_of(self._inverse)
@@ -58,7 +58,7 @@ class ManyJoints:
         those at the kick [m, rad, m/s, rad/s].
         """
         here = Coordinates(self._values(pose))
-        planes(here.values)[:, :-1] -= self._origin
+        translations(here.values)[:, :-1] -= self._origin
         motion = self._values(velocity)
         response = self._reaches.evaluate(here).jacobian * self._inverse[:, None]
         impulse, lost = self._newton(here.values, motion, response)

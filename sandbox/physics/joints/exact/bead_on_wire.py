@@ -59,7 +59,7 @@ class WireEquation:
     def evaluate(self, pose: Coordinates) -> tuple[float, tuple[Share]]:
         """Return the distance [m], positive on the left of the wire, and its gradient."""
         arm = self.point * np.exp(1j * pose.angle[self.body]) if self.point else 0j
-        distance, normal = self.near(complex(pose.plane[self.body] + arm))
+        distance, normal = self.near(complex(pose.position[self.body] + arm))
         lever = float((normal.conjugate() * 1j * arm).real)
         return distance, (Share(self.body, normal, lever),)
 
@@ -108,8 +108,8 @@ class WireEquation:
                 foot = point + step * (slope + step * bend / 2)
                 tangent = slope + step * bend
                 tangent /= abs(tangent)
-                turned = before is not None and (before.conjugate() * tangent).real < TURN
-                return None if turned else (at, foot, tangent)
+                turned_back = before is not None and (before.conjugate() * tangent).real < TURN
+                return None if turned_back else (at, foot, tangent)
         return None
 
     def _check_end(self, at: float) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 MAX_ITERATIONS = 25
 QUADRATIC = 1e-8
@@ -23,7 +23,7 @@ GROWS = 1.1
 except by the errors of long steps. Measured ratios are up to 1.06 for errors of second order, and
 4 and more where Newton's method found another solution."""
 
-PLACES = 4e-16
+POSITION_ROUNDING = 4e-16
 """The relative rounding error of positions, where velocities are computed from them."""
 
 
@@ -33,20 +33,20 @@ class Coordinates:
 
     values: Array
     """(3 N,), x and y of each body, then the angle of each."""
-    _plane: Plane | None = field(default=None, init=False, repr=False, compare=False)
-    _turned: Plane | None = field(default=None, init=False, repr=False, compare=False)
+    _position: Complexes | None = field(default=None, init=False, repr=False, compare=False)
+    _rotation: Complexes | None = field(default=None, init=False, repr=False, compare=False)
 
     @classmethod
-    def of(cls, plane: Plane, angle: Array) -> "Coordinates":
+    def of(cls, position: Complexes, angle: Array) -> "Coordinates":
         """Return the coordinates from complex positions and angles: (N,) each."""
-        return cls(np.concatenate((plane.view(float), angle)))
+        return cls(np.concatenate((position.view(float), angle)))
 
     @property
-    def plane(self) -> Plane:
+    def position(self) -> Complexes:
         """The complex positions, a view of the values: (N,)."""
-        if self._plane is None:
-            self._plane = planes(self.values)
-        return self._plane
+        if self._position is None:
+            self._position = translations(self.values)
+        return self._position
 
     @property
     def angle(self) -> Array:
@@ -54,11 +54,11 @@ class Coordinates:
         return angles(self.values)
 
     @property
-    def turned(self) -> Plane:
+    def rotation(self) -> Complexes:
         """The rotations of the bodies, exp(iθ), computed once: (N,)."""
-        if self._turned is None:
-            self._turned = np.exp(1j * angles(self.values))
-        return self._turned
+        if self._rotation is None:
+            self._rotation = np.exp(1j * angles(self.values))
+        return self._rotation
 
 
 class Rows(NamedTuple):
@@ -68,7 +68,7 @@ class Rows(NamedTuple):
     jacobian: Array
 
 
-def planes(values: Array) -> Plane:
+def translations(values: Array) -> Complexes:
     """Return the part of coordinates or of a Jacobian for the positions, complex: (..., N)."""
     return values[..., : values.shape[-1] // 3 * 2].view(complex)
 
@@ -92,16 +92,16 @@ def kinetic_energy(inertia: Array, motion: Array) -> Array:
 def blur(pose: Array, drift: float) -> float:
     """Return the rounding error of velocities that follow from positions after a drift [m/s]."""
     sizes = np.abs(pose)
-    return PLACES * sizes.item(sizes.argmax()) / abs(drift)
+    return POSITION_ROUNDING * sizes.item(sizes.argmax()) / abs(drift)
 
 
 @cache
-def order(count: int) -> NDArray[np.intp]:
+def coordinate_indices(count: int) -> NDArray[np.intp]:
     """Return the indices of the coordinates of each body, without the plane: (n, 3)."""
     body = np.arange(count)
-    places = np.stack((2 * body, 2 * body + 1, 2 * (count + 1) + body), axis=1)
-    places.setflags(write=False)
-    return places
+    indices = np.stack((2 * body, 2 * body + 1, 2 * (count + 1) + body), axis=1)
+    indices.setflags(write=False)
+    return indices
 
 
 class Share(NamedTuple):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Rows
-from sandbox.physics.state.anchor import Anchor, Plane
+from sandbox.physics.state.anchor import Anchor, Complexes
 
 TINY = 1e-300
 
@@ -91,9 +91,9 @@ class Reaches:
 
     def measure(self, pose: Coordinates) -> tuple[Array, Array]:
         """Return the values of the rows at given positions, and the entries of their Jacobian."""
-        ends = pose.plane.take(self._body, axis=-1)
+        ends = pose.position.take(self._body, axis=-1)
         if self._turns:
-            arm = self._point * pose.turned.take(self._body, axis=-1)
+            arm = self._point * pose.rotation.take(self._body, axis=-1)
             ends += arm
             length, unit = self._measure(ends[..., self._half :] - ends[..., : self._half])
             both = np.concatenate((-unit, unit), axis=-1)
@@ -105,17 +105,17 @@ class Reaches:
         return self._row_sums(length), partials
 
     @property
-    def points(self) -> Plane:
+    def points(self) -> Complexes:
         """The anchor points on the bodies, first all beginnings, then all ends [m]."""
         return self._point
 
-    def with_points(self, points: Plane) -> "Reaches":
+    def with_points(self, points: Complexes) -> "Reaches":
         """Return the same segments with other anchor points: (N, 2 k) for many runs."""
         found = copy(self)
         found.set_points(points)
         return found
 
-    def set_points(self, points: Plane) -> None:
+    def set_points(self, points: Complexes) -> None:
         """Set the anchor points on the bodies."""
         self._point = points
         self._offset = points[..., self._half :] - points[..., : self._half]
@@ -139,7 +139,7 @@ class Reaches:
         np.add.at(total, where, length)
         return total
 
-    def _measure(self, reach: Plane) -> tuple[Array, Plane]:
+    def _measure(self, reach: Complexes) -> tuple[Array, Complexes]:
         """Return the lengths or components of the segments, and their gradients."""
         if not self._has_lengths:
             return (reach * self._across).real, self._along
@@ -151,6 +151,6 @@ class Reaches:
         return length, unit
 
 
-def _ends(anchors: Sequence[Anchor], count: int) -> tuple[NDArray[np.intp], Plane]:
+def _ends(anchors: Sequence[Anchor], count: int) -> tuple[NDArray[np.intp], Complexes]:
     bodies = [count - 1 if anchor.body is None else anchor.body for anchor in anchors]
     return np.array(bodies, dtype=np.intp), np.array([a.point for a in anchors], dtype=complex)

@@ -18,7 +18,7 @@ from sandbox.physics.joints.exact.constraint_interface import (
     Equation,
     Rows,
     angles,
-    planes,
+    translations,
 )
 from sandbox.physics.joints.exact.distance_equations import Reaches, Row
 from sandbox.physics.state.simulation_errors import JointFailure
@@ -114,7 +114,7 @@ class Equations:
     ) -> Rows:
         if not others:
             return rows
-        in_plane, in_angle = planes(rows.jacobian), angles(rows.jacobian)
+        in_plane, in_angle = translations(rows.jacobian), angles(rows.jacobian)
         for row, equation in others:
             rows.total[row], shares = equation.evaluate(pose)
             for body, plane, angle in shares:

@@ -13,15 +13,15 @@ from sandbox.physics.joints.exact.constraint_interface import (
     Coordinates,
     Equation,
     Rows,
+    coordinate_indices,
     inertia_of,
-    order,
-    planes,
+    translations,
 )
 from sandbox.physics.joints.exact.distance_equations import Reaches, Row
 from sandbox.physics.joints.exact.equation_tables import Equations
 
 
-class Course(NamedTuple):
+class KeptLengths(NamedTuple):
     """The values that joints keep at the start and at the end of a drift: (m,) [m, rad]."""
 
     before: Array
@@ -60,9 +60,11 @@ class JointSystem:
         )
         self._inertia = inertia_of(self.inverse)
         self._mass = float(self._inertia.sum())  # with moments: the scale of rounding errors
-        self.order = order(len(inverse_mass))
+        self.coordinate_indices = coordinate_indices(len(inverse_mass))
         start = 3 * len(self._inverse_moment)
-        self._of_state = np.concatenate((self.order, self.order + start), axis=1).ravel()
+        self._of_state = np.concatenate(
+            (self.coordinate_indices, self.coordinate_indices + start), axis=1
+        ).ravel()
         self.length = np.array([equation.length for equation in (*rows, *others)])
         self._lay_out(rows, others)
 
@@ -112,7 +114,7 @@ class JointSystem:
     def at(self, pose: Array) -> Coordinates:
         """Return positions, (n, 3), as coordinates relative to the origin."""
         found = coordinates_of(pose)
-        found.plane[:-1] -= self.origin
+        found.position[:-1] -= self.origin
         return found
 
     def coordinates(self) -> tuple[Coordinates, Coordinates]:
@@ -120,7 +122,7 @@ class JointSystem:
         values = np.zeros((2, len(self.inverse)))
         values.reshape(-1)[self._of_state] = self.batch.state().reshape(-1)
         if self.origin:
-            planes(values[0])[:-1] -= self.origin
+            translations(values[0])[:-1] -= self.origin
         return Coordinates(values[0]), Coordinates(values[1])
 
     def evaluate(self, pose: Coordinates) -> Rows:
@@ -131,9 +133,9 @@ class JointSystem:
         """Return the values to keep at a time [s]: (m,) [m, rad]."""
         return self.equations.lengths(self.length, t)
 
-    def course(self, start: float, end: float) -> Course:
+    def kept_lengths(self, start: float, end: float) -> KeptLengths:
         """Return the values to keep at both ends of a drift, given by their times [s]."""
-        return Course(self.lengths(start), self.lengths(end), start)
+        return KeptLengths(self.lengths(start), self.lengths(end), start)
 
     def jacobian(self, pose: Array | None = None) -> Array:
         """Return the derivatives of the rows by the bodies' positions and angles: (m, n, 3).
@@ -143,7 +145,7 @@ class JointSystem:
         here = self.equations.evaluate_without_memory(
             self.pose() if pose is None else self.at(pose)
         )
-        return here.jacobian[:, self.order]
+        return here.jacobian[:, self.coordinate_indices]
 
     def two_sided_jacobian(self, pose: Array | None = None) -> Array:
         """Return the rows of `jacobian` that can push as well as pull: (m, n, 3)."""
@@ -151,7 +153,7 @@ class JointSystem:
 
     def wrenches(self, tension: Array, pose: Coordinates) -> Array:
         """Return the forces and torques on bodies of forces along rows (m,): (n, 3) [N, N m]."""
-        return -(tension @ self._evaluated(pose).jacobian)[self.order]
+        return -(tension @ self._evaluated(pose).jacobian)[self.coordinate_indices]
 
     def _evaluated(self, pose: Coordinates) -> Rows:
         """Return the result of `evaluate`, from memory if the positions are the last ones."""
@@ -185,5 +187,5 @@ class JointSystem:
 def coordinates_of(rows: Array) -> Coordinates:
     """Return positions or velocities (n, 3) as coordinates, the plane itself last."""
     values = np.zeros(3 * len(rows) + 3)
-    values[order(len(rows))] = rows
+    values[coordinate_indices(len(rows))] = rows
     return Coordinates(values)

@@ -26,39 +26,54 @@ def motion(
     [m/s, rad/s], `law_acceleration` the accelerations without the joints, (n, 3) [m/s², rad/s²],
     and `drift` is the duration of a drift [s].
     """
-    pose, free = joints.pose(), coordinates_of(mean).values
-    driven = coordinates_of(law_acceleration).values
+    pose, free_velocity = joints.pose(), coordinates_of(mean).values
+    free_acceleration = coordinates_of(law_acceleration).values
     if joints.band:
-        moves, accelerations, tension = _by_band(joints.band, pose, free, driven, drift)
+        velocity, acceleration, tension = _by_band(
+            joints.band, pose, free_velocity, free_acceleration, drift
+        )
     else:
-        moves, accelerations, tension = _by_matrix(joints, pose, free, driven, drift)
-    return moves[joints.order], accelerations[joints.order], tension
+        velocity, acceleration, tension = _by_matrix(
+            joints, pose, free_velocity, free_acceleration, drift
+        )
+    return velocity[joints.coordinate_indices], acceleration[joints.coordinate_indices], tension
 
 
 def _by_matrix(
-    joints: JointSystem, pose: Coordinates, free: Array, driven: Array, drift: float
+    joints: JointSystem,
+    pose: Coordinates,
+    free_velocity: Array,
+    free_acceleration: Array,
+    drift: float,
 ) -> tuple[Array, Array, Array]:
     jacobian = joints.equations.evaluate_without_memory(pose).jacobian
     response = jacobian * joints.inverse
     delassus = jacobian @ response.T
-    moves = free - solved(delassus, jacobian @ free) @ response
-    way = MOMENT * abs(drift) * moves
+    velocity = free_velocity - solved(delassus, jacobian @ free_velocity) @ response
+    displacement = MOMENT * abs(drift) * velocity
     ahead, behind = (
-        joints.equations.evaluate_without_memory(Coordinates(pose.values + w)) for w in (way, -way)
+        joints.equations.evaluate_without_memory(Coordinates(pose.values + shift))
+        for shift in (displacement, -displacement)
     )
-    turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(drift))
-    tension = solved(delassus, jacobian @ driven + turning)
-    return moves, driven - tension @ response, tension
+    jacobian_rate = (ahead.jacobian - behind.jacobian) @ velocity / (2 * MOMENT * abs(drift))
+    tension = solved(delassus, jacobian @ free_acceleration + jacobian_rate)
+    return velocity, free_acceleration - tension @ response, tension
 
 
 def _by_band(
-    band: Banded, pose: Coordinates, free: Array, driven: Array, drift: float
+    band: Banded, pose: Coordinates, free_velocity: Array, free_acceleration: Array, drift: float
 ) -> tuple[Array, Array, Array]:
-    here = band.linearize(pose)
-    moves = free - band.response(here, band.solved(here, here, band.rates(here, free)))
-    way = MOMENT * abs(drift) * moves
-    ahead, behind = (band.linearize(Coordinates(pose.values + w)) for w in (way, -way))
-    turning = band.rates(ahead, moves) - band.rates(behind, moves)
-    needed = band.rates(here, driven) + turning / (2 * MOMENT * abs(drift))
-    tension = band.solved(here, here, needed)
-    return moves, driven - band.response(here, tension), tension
+    at_pose = band.linearize(pose)
+    velocity = free_velocity - band.response(
+        at_pose, band.solved(at_pose, at_pose, band.rates(at_pose, free_velocity))
+    )
+    displacement = MOMENT * abs(drift) * velocity
+    ahead, behind = (
+        band.linearize(Coordinates(pose.values + w)) for w in (displacement, -displacement)
+    )
+    jacobian_rate = band.rates(ahead, velocity) - band.rates(behind, velocity)
+    required_rate = band.rates(at_pose, free_acceleration) + jacobian_rate / (
+        2 * MOMENT * abs(drift)
+    )
+    tension = band.solved(at_pose, at_pose, required_rate)
+    return velocity, free_acceleration - band.response(at_pose, tension), tension

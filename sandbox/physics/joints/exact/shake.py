@@ -121,7 +121,7 @@ class ExactJoints(ConstraintForces):
         free = motion.values + self._warm_start @ response
         work = -(self._warm_start + impulse) * (here.jacobian @ (free + velocity))
         self.refuse_gain(free, velocity, work)
-        self.batch.set_velocity(velocity[self.order])
+        self.batch.set_velocity(velocity[self.coordinate_indices])
         # exactly 0 for a slack rope: the books tell by the sign when it is caught
         return np.where(self._taut, (self._warm_start + impulse) / self.kick, 0.0)
 
@@ -140,7 +140,7 @@ class ExactJoints(ConstraintForces):
         free = motion.values + band.response(here, self._warm_start)
         work = -(self._warm_start + impulse) * band.rates(here, free + velocity)
         self.refuse_gain(free, velocity, work)
-        self.batch.set_velocity(velocity[self.order])
+        self.batch.set_velocity(velocity[self.coordinate_indices])
         return (self._warm_start + impulse) / self.kick
 
     def _guess(self) -> Array:

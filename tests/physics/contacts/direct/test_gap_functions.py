@@ -22,7 +22,7 @@ CORNER = 0.2 + 0.2j
 def heights(place: Array, upper: int) -> list[float]:
     """Return how high the upper box is above that corner, and its own above the lower box [m]."""
     there = Coordinates(place)
-    center, turned = complex(there.plane[upper]), complex(there.turned[upper])
+    center, turned = complex(there.position[upper]), complex(there.rotation[upper])
     tip = center + (-0.2 - 0.1j) * turned
     return [tip.imag - 0.2, -((CORNER - center) * turned.conjugate()).imag - 0.1]
 
@@ -44,10 +44,10 @@ def test_each_point_of_two_sides_has_its_own_side(names: tuple[str, str], leans:
     kick, upper = direct._taken.kick, list(bodies).index("upper")
     place = kick.pose.values.copy()
     angle = len(place) // 3 * 2 + upper
-    off = (complex(kick.pose.plane[upper]) - CORNER) * (np.exp(1j * leans) - 1)
+    off = (complex(kick.pose.position[upper]) - CORNER) * (np.exp(1j * leans) - 1)
     place[[2 * upper, 2 * upper + 1, angle]] += off.real, off.imag, leans  # its corner comes down
     there = Coordinates(place)
-    kick = direct._build.rebuilt(there, kick.contacts_at(there), kick.course)
+    kick = direct._build.rebuilt(there, kick.contacts_at(there), kick.kept_lengths)
     way = np.zeros_like(place)
     way[2 * upper], way[angle] = 0.05, 0.1
 

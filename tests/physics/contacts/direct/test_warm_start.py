@@ -73,7 +73,7 @@ def test_contacts_keep_their_forces_where_their_bodies_change_places(
     assert (taken.kick.contacts.touches == 2).all()
     builder, old = direct._build, taken.kick
 
-    new = builder.rebuilt(old.pose, change(old.contacts), old.course)
+    new = builder.rebuilt(old.pose, change(old.contacts), old.kept_lengths)
     forces, active = recalled(old, taken.forces, taken.active, new)
 
     for body in (1, 2):

@@ -445,15 +445,15 @@ def test_which_points_touch_is_worked_out_when_contacts_come_or_go(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Balls that lie side by side keep theirs; one that comes later changes them."""
-    made, work_out = [0], sequential_impacts._Places.of
+    made, work_out = [0], sequential_impacts._PointIndices.of
 
-    def counted(contacts: Contacts, turning: Booleans) -> sequential_impacts._Places:
+    def counted(contacts: Contacts, turning: Booleans) -> sequential_impacts._PointIndices:
         made[0] += 1
         return work_out(contacts, turning)
 
     balls = {f"b{i}": disc((0.2 * i, 0.1), radius=0.1, restitution=0) for i in range(4)}
     late = disc((0.3, 1.5), radius=0.1, restitution=0)
-    monkeypatch.setattr(sequential_impacts._Places, "of", counted)
+    monkeypatch.setattr(sequential_impacts._PointIndices, "of", counted)
     world = build(
         level({"floor": floor(restitution=0), **balls, "late": late}, {**GRAVITY, **SEQUENCE})
     )

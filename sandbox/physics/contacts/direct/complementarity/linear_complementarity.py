@@ -53,12 +53,12 @@ def _pushes(matrix: Array, rate: Array, bounds: Array) -> Array | None:
     The arguments are as above: (c + f, c + f), (c + f,) and (f, c).
     """
     rubs, count = bounds.shape
-    way = np.column_stack((np.eye(count + rubs), -np.eye(count + rubs)[:, count:]))
+    directions = np.column_stack((np.eye(count + rubs), -np.eye(count + rubs)[:, count:]))
     whole = np.zeros((count + 3 * rubs, count + 3 * rubs))
     signed, twice = count + 2 * rubs, np.concatenate((np.eye(rubs), np.eye(rubs)))
-    whole[:signed, :signed] = way.T @ matrix @ way
+    whole[:signed, :signed] = directions.T @ matrix @ directions
     whole[count:signed, signed:] = twice
     whole[signed:, :count] = bounds
     whole[signed:, count:signed] = -twice.T
-    found = lemke(whole, np.concatenate((way.T @ rate, np.zeros(rubs))))
-    return None if found is None else way @ found[:signed]
+    found = lemke(whole, np.concatenate((directions.T @ rate, np.zeros(rubs))))
+    return None if found is None else directions @ found[:signed]

@@ -24,14 +24,6 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.drifts.drift_part_solver import PartSolver
-from sandbox.physics.contacts.direct.drifts.drift_parts import (
-    DriftPart,
-    around,
-    linked,
-    movable,
-    rows_acting_on,
-)
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
 from sandbox.physics.contacts.direct.drifts.joint_catches import (
     catch_time,
@@ -42,6 +34,14 @@ from sandbox.physics.contacts.direct.drifts.joint_catches import (
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.drifts.landing_time_refinement import until_first
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
+from sandbox.physics.contacts.direct.drifts.subdrift_solver import SubdriftSolver
+from sandbox.physics.contacts.direct.drifts.subdrifts import (
+    Subdrift,
+    around,
+    linked,
+    movable,
+    rows_acting_on,
+)
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, crowd, stopped
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
@@ -75,7 +75,7 @@ class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more
     """A body takes part in a landing, but was not followed from the first one on."""
 
 
-class DriftCutter(PartSolver):
+class DriftCutter(SubdriftSolver):
     """Cuts a drift where bodies land in it; N bodies with the plane.
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
@@ -100,11 +100,11 @@ class DriftCutter(PartSolver):
         self._speculative, self._build, self._still = speculative, build, stopped
         self._meetings, self._may_restart = MeetingFinder(speculative, laws), True
         count = len(laws) // 3 - 1
-        self._whole: DriftPart  # the drift
+        self._whole: Subdrift  # the drift
         self.crowd: Booleans = np.zeros(count, dtype=bool)
         self._begin(np.zeros(count, dtype=bool))
 
-    def cut_at_landings(self, whole: DriftPart) -> list[DriftPart]:
+    def cut_at_landings(self, whole: Subdrift) -> list[Subdrift]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
         A body in a later landing has to be followed from the first one on if other bodies press on
@@ -141,7 +141,7 @@ class DriftCutter(PartSolver):
             if np.count_nonzero(whole.forces[rows_acting_on(whole.kick, late)]):
                 raise _Late
 
-    def _parts(self, whole: DriftPart) -> list[DriftPart]:
+    def _parts(self, whole: Subdrift) -> list[Subdrift]:
         """Return the parts of a drift."""
         parts = [whole]
         while len(parts) <= MOST and (found := self._cut(parts[-1], len(parts))):
@@ -153,7 +153,7 @@ class DriftCutter(PartSolver):
             parts[-1] = self._lasting(last, whole.drift)
         return parts
 
-    def _cut(self, part: DriftPart, number: int) -> tuple[DriftPart, ...]:
+    def _cut(self, part: Subdrift, number: int) -> tuple[Subdrift, ...]:
         """Split a part, counted by `number`, at its first landing, catch or the like.
 
         Return the two; () if there is none, and the part alone if a crowd was stopped in it.
@@ -193,20 +193,20 @@ class DriftCutter(PartSolver):
             self.reached, self._early = saved  # this is left to the end of the drift
             return ()
 
-    def _loose(self, part: DriftPart) -> DriftPart:
+    def _loose(self, part: Subdrift) -> Subdrift:
         """Return a part, solved without the slack joints that catch in it, if any do."""
         catches = caught(part)
         if self._catches == CATCHES or not np.count_nonzero(catches):
             return part
-        saved, held = self.reached, part.kick.acts[part.kick.layout.joints][catches]
-        self.reached = saved | linked(part.kick, np.asarray(held.any(axis=0)))
+        saved, acts = self.reached, part.kick.acts[part.kick.layout.joints][catches]
+        self.reached = saved | linked(part.kick, np.asarray(acts.any(axis=0)))
         try:
             return self._solved(loose(part), part.drift, part.kick_duration)
         except (JointFailure, NoForces):
             self.reached = saved
             return part
 
-    def _until_it_stops(self, part: DriftPart) -> DriftPart | None:
+    def _until_it_stops(self, part: Subdrift) -> Subdrift | None:
         """Return a part up to where its first slip ends; None if none does."""
         ends = slip_ends(part, self._laws)
         ends = ends[~self._stopped[part.kick.layout.touching.friction_bodies[:, ends]].any(axis=0)]
@@ -219,8 +219,8 @@ class DriftCutter(PartSolver):
         return stopped
 
     def _halted(
-        self, part: DriftPart, met: FirstMeeting, number: int, reached: Booleans
-    ) -> tuple[DriftPart, ...]:
+        self, part: Subdrift, met: FirstMeeting, number: int, reached: Booleans
+    ) -> tuple[Subdrift, ...]:
         """Return a part in which a crowd comes to touch, if one lands in it.
 
         If the part is the whole drift, the `crowd` is only noted: the caller stops it by the kick
@@ -236,50 +236,50 @@ class DriftCutter(PartSolver):
         if begins or not crowded.any():
             return ()
 
-        def again(part: DriftPart, kick: Kick) -> DriftPart:
+        def again(part: Subdrift, kick: Kick) -> Subdrift:
             self._add_bodies(around(kick, kick.contacts.bodies[-kick.closing_count :].tolist()))
             return self._again(part, kick)
 
-        known, self.reached = self.reached, reached
+        reached_before, self.reached = self.reached, reached
         self._add_bodies(crowded)
         found, crowded = stopped(part, crowded, self._speculative, self._build, again)
         if found is part:
-            self.reached = known  # no forces are found
+            self.reached = reached_before  # no forces are found
             return ()
         self._stopped, self._undisturbed = self._stopped | crowded, self._undisturbed | crowded
         return (found,)
 
-    def _deep_pairs(self, part: DriftPart) -> list[Pair]:
+    def _deep_pairs(self, part: Subdrift) -> list[Pair]:
         """Return the pairs of bodies because of which a part is divided."""
         return part.deep_pairs if part.drift > LEAST * self._whole.drift else []
 
     def _is_calm(self, pair: Pair) -> bool:
         """Return whether one of two bodies was stopped, and nothing has struck them since."""
         both = [*pair]
-        calm, moved = self._undisturbed[both], self.reached[both]
-        return bool(calm.any() and not (moved & ~calm).any())
+        calm, reached = self._undisturbed[both], self.reached[both]
+        return bool(calm.any() and not (reached & ~calm).any())
 
     def _kept(
-        self, part: DriftPart, shorter: DriftPart, met: FirstMeeting | None
-    ) -> tuple[DriftPart, FirstMeeting | None]:
+        self, part: Subdrift, shorter: Subdrift, met: FirstMeeting | None
+    ) -> tuple[Subdrift, FirstMeeting | None]:
         """Return a part so short that its contacts keep their gaps, and what meets at its end."""
         while self._deep_pairs(shorter):
             shorter, met = self._shortened(part, shorter.drift / 2, shorter), None
         return shorter, met
 
     def _land(
-        self, shorter: DriftPart, left: float, met: FirstMeeting | None, near: Sequence[Pair]
-    ) -> DriftPart:
+        self, shorter: Subdrift, left: float, met: FirstMeeting | None, near: Sequence[Pair]
+    ) -> Subdrift:
         """Return the part after a landing, of length `left` [s]; `met` is None after a mere cut."""
         pose, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
         if met:
             down = self._speculative.contacts(met.corners, pose, joints.origin, met.hits)
             near = [pair for pair in near if pair not in met.pairs]
         joints.time(left, left)
-        course = joints.course(self._until - left, self._until)
+        lengths = joints.kept_lengths(self._until - left, self._until)
         rest = self._meetings.overlapping(shorter, near)
         known = shorter.kick.contacts_at(pose).followed_by(rest)
-        kick = self._following(shorter, self._build.rebuilt(pose, known.followed_by(down), course))
+        kick = self._following(shorter, self._build.rebuilt(pose, known.followed_by(down), lengths))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self._add_bodies(around(kick, down.followed_by(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
@@ -295,34 +295,34 @@ class DriftCutter(PartSolver):
         return self._close_corners(self._solved(after, left, left / 2))
 
     def _pass(
-        self, shorter: DriftPart, left: float, met: FirstMeeting, near: Sequence[Pair]
-    ) -> DriftPart:
+        self, shorter: Subdrift, left: float, met: FirstMeeting, near: Sequence[Pair]
+    ) -> Subdrift:
         """Return the part after contacts pass the ends of sides, of length `left` [s]."""
         pose, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
         joints.time(left, left)
-        course = joints.course(self._until - left, self._until)
-        ended = shorter._replace(kick=shorter.kick.between(pose, course))
+        lengths = joints.kept_lengths(self._until - left, self._until)
+        ended = shorter._replace(kick=shorter.kick.between(pose, lengths))
         _, begun, stages = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
         beside = self._meetings.beside(ended, begun, met, near)
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(pose, [one.contact for one in met.passing])
         kick = self._build.rebuilt(
-            pose, known.followed_by(beside).followed_by(after), course, at_ends
+            pose, known.followed_by(beside).followed_by(after), lengths, at_ends
         )
         kick = self._following(shorter, kick)
         self._add_bodies(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        part = DriftPart(kick, left, left, begun, left / 2, forces, active, begun, stages)
+        part = Subdrift(kick, left, left, begun, left / 2, forces, active, begun, stages)
         return self._close_corners(self._solved(part, left, left / 2))
 
-    def _following(self, ended: DriftPart, kick: Kick) -> Kick:
+    def _following(self, ended: Subdrift, kick: Kick) -> Kick:
         """Return the rows where a part ends, with those that are still to close from there on."""
         self._undisturbed = self._undisturbed & ~self.reached  # the motion of these has changed
         opened = ended.kick.open_at(ended.end)
         return self._build.with_ahead(kick, opened) if len(opened.bodies) else kick
 
     def _struck(
-        self, part: DriftPart, struck: Booleans, catching: Booleans
+        self, part: Subdrift, struck: Booleans, catching: Booleans
     ) -> tuple[Array, tuple[Stage, ...]]:
         """Return the velocities after the impact at the end of a part, and its stages.
 
@@ -339,11 +339,11 @@ class DriftCutter(PartSolver):
             self.record.jerked = self.record.jerked | self.reached
         return begun, stages
 
-    def _close_corners(self, part: DriftPart) -> DriftPart:
+    def _close_corners(self, part: Subdrift) -> Subdrift:
         """Return a part in which corners have come down; see `close_slow_corners`."""
         return close_slow_corners(part, self._speculative, self._build, self._laws, self._again)[0]
 
-    def _again(self, part: DriftPart, kick: Kick) -> DriftPart:
+    def _again(self, part: Subdrift, kick: Kick) -> Subdrift:
         """Return a part, solved with more rows."""
         forces, active = recalled(part.kick, part.forces, part.active, kick)
         more = part._replace(kick=kick, forces=forces, active=active)

@@ -19,7 +19,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.joints.exact.joint_system import Course
+from sandbox.physics.joints.exact.joint_system import KeptLengths
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 PARTS = (2, 4, 8, 16, 32)
@@ -119,22 +119,22 @@ class SolvedDrift(NamedTuple):
 
     def drift_record(self, start: Array, order: Integers) -> DividedDrift:
         """Return it for the rest of the step, from the pose `start`, (n, 3) [m, rad]."""
-        first, lost = self.first, self.missing
-        kick, moved = first.kick, first.velocity
+        first, missing = self.first, self.missing
+        kick, velocity = first.kick, first.velocity
         forces = first.forces.dot(kick.response)
-        length = kick.joints.kick - lost
-        velocity_before = (self.inner[-1].velocity - lost * self.acceleration)[order]
+        length = kick.joints.kick - missing
+        velocity_before = (self.inner[-1].velocity - missing * self.acceleration)[order]
         between = [one.kick_record(start, kick.pose.values, order) for one in self.inner]
         end, last = start + self.displacement[order], between[-1]
         nothing = Stage.of(
-            self.inner[-1].kick, -lost, velocity_before, 0.0 * self.inner[-1].impulse
+            self.inner[-1].kick, -missing, velocity_before, 0.0 * self.inner[-1].impulse
         )
         back = KickBetweenParts(end, last.jacobian, nothing)
         return DividedDrift(
-            (moved + lost * (self.acceleration + forces))[order],
+            (velocity + missing * (self.acceleration + forces))[order],
             velocity_before,
             np.ones(len(start), dtype=bool),
-            first.stages or (Stage.of(kick, length, moved[order], first.impulse),),
+            first.stages or (Stage.of(kick, length, velocity[order], first.impulse),),
             (*between, back),
             1 / (len(between) + 1),
             end,
@@ -152,44 +152,46 @@ def through(
     there is no solution in any number of parts.
     """
     joints, whole = kick.joints, kick.joints.drift
-    lost: JointFailure | NoForces | None = None
+    last_error: JointFailure | NoForces | None = None
     for parts in PARTS:
         times = until - whole + whole * np.arange(parts + 1) / parts
-        courses = [joints.course(*drift) for drift in pairwise(times.tolist())]
+        kept_lengths_by_part = [joints.kept_lengths(*drift) for drift in pairwise(times.tolist())]
         try:
-            return _in_parts(kick, acceleration, courses, take, placed=parts < PARTS[-1])
+            return _in_parts(
+                kick, acceleration, kept_lengths_by_part, take, placed=parts < PARTS[-1]
+            )
         except (JointFailure, NoForces) as error:
-            lost = error
+            last_error = error
         finally:
             joints.time(whole, whole)
-    assert lost
-    raise lost
+    assert last_error
+    raise last_error
 
 
 def _in_parts(
     kick: Kick,
     acceleration: Array,
-    courses: Sequence[Course],
+    kept_lengths_by_part: Sequence[KeptLengths],
     take: Callable[..., KickResult],
     *,
     placed: bool,
 ) -> SolvedDrift:
     """Return the drift, given the joints' lengths in its parts."""
     joints, whole = kick.joints, kick.joints.drift
-    drift = whole / len(courses)
+    drift = whole / len(kept_lengths_by_part)
     missing = (whole - drift) / 2  # of the length of the kicks before and after
     joints.time(whole - missing, drift)
-    first = take(kick.before_drift(courses[0]), placed=placed)
-    moved, forces, active = first.velocity, first.forces, first.active
+    first = take(kick.before_drift(kept_lengths_by_part[0]), placed=placed)
+    velocity, forces, active = first.velocity, first.forces, first.active
     joints.time(drift, drift)
-    pose, inner = Coordinates(kick.pose.values + drift * moved), []
-    for course in courses[1:]:
-        now = kick.between(pose, course)
-        motion = moved + drift * acceleration
-        impulse, moved, active, _ = hold(
+    pose, inner = Coordinates(kick.pose.values + drift * velocity), []
+    for kept_lengths in kept_lengths_by_part[1:]:
+        now = kick.between(pose, kept_lengths)
+        motion = velocity + drift * acceleration
+        impulse, velocity, active, _ = hold(
             now, motion, (drift * forces, active), driven=False, placed=placed
         )
-        inner.append(SolvedInnerKick(now, drift, impulse, moved))
+        inner.append(SolvedInnerKick(now, drift, impulse, velocity))
         forces = impulse / drift
-        pose = Coordinates(pose.values + drift * moved)
+        pose = Coordinates(pose.values + drift * velocity)
     return SolvedDrift(first, tuple(inner), acceleration, missing, pose.values - kick.pose.values)

@@ -10,8 +10,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Path
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.contacts.direct.drifts.flush_surfaces import carries_on
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.side_end_geometry import EndCrossing
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
@@ -20,7 +20,7 @@ from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
 )
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.geometry.root_finding import root
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, coordinate_indices
 
 SOON = 1e-6
 """No kick is solved for a first part shorter than this share of the drift. A landing within this
@@ -89,25 +89,23 @@ class MeetingFinder:
 
     def __init__(self, speculative: SpeculativeContacts, laws: Array) -> None:
         self._speculative, self._laws = speculative, laws
-        self._order = order(len(laws) // 3 - 1)
+        self._order = coordinate_indices(len(laws) // 3 - 1)
 
-    def ahead(self, part: DriftPart, calm: Callable[[Pair], bool]) -> PossibleMeetings:
+    def ahead(self, part: Subdrift, calm: Callable[[Pair], bool]) -> PossibleMeetings:
         """Return what may meet in a part of a drift, but for pairs that are `calm`."""
-        speculative, kick, way = self._speculative, part.kick, part.drift * part.velocity
-        pairs = speculative.approaching.near(kick.contacts, kick.pose, way)
+        speculative, kick, displacement = self._speculative, part.kick, part.drift * part.velocity
+        pairs = speculative.approaching.near(kick.contacts, kick.pose, displacement)
         return PossibleMeetings(
             [pair for pair in pairs if not calm(pair)],
             [one for one in speculative.corners(kick, part.velocity) if not calm(one.pair)],
             [
                 one
-                for one in speculative.ends.passing(kick, way, part.forces)
+                for one in speculative.ends.passing(kick, displacement, part.forces)
                 if not calm(one.bodies)
             ],
         )
 
-    def first(
-        self, part: DriftPart, longest: float, ahead: PossibleMeetings
-    ) -> FirstMeeting | None:
+    def first(self, part: Subdrift, longest: float, ahead: PossibleMeetings) -> FirstMeeting | None:
         """Return what meets first on the parabolas of a part within a time `longest` [s]."""
         total, (pairs, corners, passing) = self._laws + part.constraint_acceleration, ahead
         velocity, pose = part.velocity - total * (part.drift / 2), part.kick.pose.values
@@ -136,12 +134,12 @@ class MeetingFinder:
         times = moments([hit.time for hit in hits], TOGETHER * longest)
         hits = [hit for hit in hits if hit.time <= last]
         down = [corner for corner, time in zip(corners, falls, strict=True) if time <= last]
-        gone = [one for one, time in zip(passing, passes, strict=True) if time <= last]
-        gone = [] if hits or down else gone
-        return FirstMeeting(first, hits, down, gone, coming, falling, times)
+        passed = [one for one, time in zip(passing, passes, strict=True) if time <= last]
+        passed = [] if hits or down else passed
+        return FirstMeeting(first, hits, down, passed, coming, falling, times)
 
     def beside(
-        self, ended: DriftPart, velocity: Array, met: FirstMeeting, pairs: Sequence[Pair]
+        self, ended: Subdrift, velocity: Array, met: FirstMeeting, pairs: Sequence[Pair]
     ) -> Contacts:
         """Return the contacts that support bodies from where they slide past the end of a side.
 
@@ -161,7 +159,7 @@ class MeetingFinder:
         rests = [hit for hit in hits if hit.parting >= -gives]
         return speculative.contacts(corners, pose, ended.kick.joints.origin, rests)
 
-    def overlapping(self, ended: DriftPart, pairs: Sequence[Pair]) -> Contacts:
+    def overlapping(self, ended: Subdrift, pairs: Sequence[Pair]) -> Contacts:
         """Return the contacts of bodies that already overlap where a part of a drift ends.
 
         They met shortly before the part ends, and more slowly than forces could cause in the rest

@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.detection.time_of_impact import Hit, Motion, Path
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.contacts.detection.time_of_impact import BodyMotion, Hit, Path
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.contacts.direct.prediction.separation_bound import spread
 from sandbox.physics.geometry.outline_distance import Outline, dot, gap
 
@@ -46,7 +46,7 @@ class _Ground(NamedTuple):
     point: complex
 
 
-def carries_on(part: DriftPart, path: Path, hit: Hit, shapes: Shapes) -> bool:
+def carries_on(part: Subdrift, path: Path, hit: Hit, shapes: Shapes) -> bool:
     """Return whether a hit is only the passage of a body onto a flush continuation of its support.
 
     `part` and `path` are a part of a drift, and the motion in it; `hit` is an impact in it.
@@ -67,33 +67,38 @@ def carries_on(part: DriftPart, path: Path, hit: Hit, shapes: Shapes) -> bool:
 
 def _goes_with(body: int, other: int, path: Path, hit: Hit, duration: float) -> bool:
     """Return whether two bodies move alike at a hit for a time [s]."""
-    here, there = (Motion(path, one, hit.time) for one in (body, other))
-    way = max(abs(there.speed(point) - here.speed(point)) for point in hit.points) * duration
-    return way <= LEVEL
+    motion, other_motion = (BodyMotion(path, one, hit.time) for one in (body, other))
+    relative_path = (
+        max(
+            abs(other_motion.velocity_at(point) - motion.velocity_at(point)) for point in hit.points
+        )
+        * duration
+    )
+    return relative_path <= LEVEL
 
 
-def _grounds(part: DriftPart, pose: Array, guest: int, bodies: set[int]) -> Iterator[_Ground]:
+def _grounds(part: Subdrift, pose: Array, guest: int, bodies: set[int]) -> Iterator[_Ground]:
     """Yield the points of the surfaces of some bodies on which another one lies at a place."""
-    there = part.kick.contacts_at(spread(pose))
-    points = np.ascontiguousarray(there.points).view(complex)[..., 0] - part.kick.joints.origin
-    for row, pair in enumerate(there.bodies.tolist()):
+    contacts = part.kick.contacts_at(spread(pose))
+    points = np.ascontiguousarray(contacts.points).view(complex)[..., 0] - part.kick.joints.origin
+    for row, pair in enumerate(contacts.bodies.tolist()):
         if guest in pair and not bodies.isdisjoint(pair):
-            normal = complex(*there.direction[row]) * (1 if pair[1] == guest else -1)
-            for number in range(int(there.touches[row])):
-                depth = float(there.depths[row, number])
+            normal = complex(*contacts.direction[row]) * (1 if pair[1] == guest else -1)
+            for number in range(int(contacts.touches[row])):
+                depth = float(contacts.depths[row, number])
                 yield _Ground(normal, complex(points[row, number]) + normal * depth / 2)
 
 
 def _is_level(ground: _Ground, other: int, path: Path, hit: Hit, shapes: Shapes) -> bool:
     """Return whether a body does not rise above a surface where it is met."""
-    n, there = ground.normal, Motion(path, other, hit.time)
+    n, other_motion = ground.normal, BodyMotion(path, other, hit.time)
     faces = dot(n, hit.normal if hit.bodies[0] == other else -hit.normal) > FACES
-    cores = [(there.put(one.corners), one.radius) for one in shapes(other)]
+    cores = [(other_motion.place(one.corners), one.radius) for one in shapes(other)]
     for point in hit.points:
         height = dot(n, point - ground.point)
         met = [(core, half) for core, half in cores if gap(core, (point,), half).distance < ON]
-        ways = [corner + half * n - point for core, half in met for corner in core]
-        tops = [height + dot(n, way) / max(1.0, abs(way) / THERE) for way in ways]
+        offsets = [corner + half * n - point for core, half in met for corner in core]
+        tops = [height + dot(n, offset) / max(1.0, abs(offset) / THERE) for offset in offsets]
         if abs(point - ground.point) > BESIDE or not (tops or faces):
             return False
         if max(tops or [abs(height)]) > LEVEL:

@@ -12,9 +12,9 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
 from sandbox.physics.contacts.direct.drifts.landing_time_refinement import REFINED, Shortened
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.geometry.root_finding import SecantMethod, root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
@@ -38,17 +38,17 @@ class Pulls:
 
     def note(self, joints: ExactJoints) -> None:
         """Note the forces of the joints in a kick."""
-        pulls, known = joints.pulls_only & (joints.tension > 0), self._known
-        new = pulls & ~known if len(known) == len(pulls) else pulls
+        pulls, last_pulls = joints.pulls_only & (joints.tension > 0), self._known
+        new = pulls & ~last_pulls if len(last_pulls) == len(pulls) else pulls
         self.begins, self._known = bool(np.count_nonzero(new)), pulls
 
 
-def caught(part: DriftPart) -> Booleans:
+def caught(part: Subdrift) -> Booleans:
     """Return which one-sided joints catch within a part of a drift: (m,)."""
     return np.asarray(part.kick.slack & part.active.on[part.kick.layout.joints])
 
 
-def loose(part: DriftPart) -> DriftPart:
+def loose(part: Subdrift) -> Subdrift:
     """Return a part in which one-sided joints that are slack at its start do not act."""
     kick, layout, active = part.kick, part.kick.layout, part.active
     acts = np.ones(len(part.forces), dtype=bool)
@@ -61,7 +61,7 @@ def loose(part: DriftPart) -> DriftPart:
     )
 
 
-def catch_time(part: DriftPart, laws: Array, until: float, longest: float) -> float:
+def catch_time(part: Subdrift, laws: Array, until: float, longest: float) -> float:
     """Return when the first slack joint catches on the parabolas of a part [s]; inf if none does.
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]. The whole drift
@@ -72,10 +72,10 @@ def catch_time(part: DriftPart, laws: Array, until: float, longest: float) -> fl
     velocity = part.velocity - total * (part.drift / 2)
 
     def gaps(t: float) -> Array:
-        there = joints.equations.evaluate_without_memory(
+        rows = joints.equations.evaluate_without_memory(
             Coordinates(pose + t * (velocity + total * (t / 2)))
         )
-        return np.asarray(joints.lengths(start + t) - there.total)
+        return np.asarray(joints.lengths(start + t) - rows.total)
 
     def gap(row: int, t: float) -> float:
         return float(gaps(t)[row])
@@ -87,8 +87,8 @@ def catch_time(part: DriftPart, laws: Array, until: float, longest: float) -> fl
 
 
 def until_caught(
-    part: DriftPart, time: float, laws: Array, until: float, shortened: Shortened
-) -> DriftPart:
+    part: Subdrift, time: float, laws: Array, until: float, shortened: Shortened
+) -> Subdrift:
     """Return a part up to where its first joint catches, at about a time [s].
 
     `part` is loose; for the other parameters see `catch_time`. The time depends on the length for

@@ -2,13 +2,13 @@
 
 from collections.abc import Callable
 
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
 from sandbox.physics.contacts.direct.drifts.first_meeting import (
     TOGETHER,
     FirstMeeting,
     MeetingFinder,
     PossibleMeetings,
 )
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.geometry.root_finding import SecantMethod
 
 REFINED = 6
@@ -17,13 +17,13 @@ REFINED = 6
 SOONER = 4
 """The most times that another pair of bodies turns out to be the first."""
 
-Shortened = Callable[[DriftPart, float, DriftPart], DriftPart]
+Shortened = Callable[[Subdrift, float, Subdrift], Subdrift]
 """Solves a part for a shorter drift [s], given a similar part."""
 
 
 def until_first(
-    part: DriftPart, met: FirstMeeting, meetings: MeetingFinder, shortened: Shortened
-) -> tuple[DriftPart, FirstMeeting]:
+    part: Subdrift, met: FirstMeeting, meetings: MeetingFinder, shortened: Shortened
+) -> tuple[Subdrift, FirstMeeting]:
     """Return a part that ends with its first landing, and that landing.
 
     Forces differ in a shorter part, so another pair of bodies may land first in it, even one that
@@ -44,8 +44,8 @@ def until_first(
 
 
 def _until(
-    part: DriftPart, met: FirstMeeting, meetings: MeetingFinder, shortened: Shortened
-) -> tuple[DriftPart, FirstMeeting]:
+    part: Subdrift, met: FirstMeeting, meetings: MeetingFinder, shortened: Shortened
+) -> tuple[Subdrift, FirstMeeting]:
     """Return a part that ends with a landing, and that landing.
 
     The time of the landing depends on the length for which the part is solved. The secant method

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.root_finding import SecantMethod
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
@@ -38,7 +38,7 @@ TRIES = 8
 """The most lengths of a drift that are tried."""
 
 
-def slip_ends(part: DriftPart, laws: Array) -> Integers:
+def slip_ends(part: Subdrift, laws: Array) -> Integers:
     """Return which friction ends a slip within a part of a drift: indices among all friction.
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²].
@@ -54,11 +54,11 @@ def slip_ends(part: DriftPart, laws: Array) -> Integers:
 
 
 def until_it_stops(
-    part: DriftPart,
+    part: Subdrift,
     ends: Integers,
     laws: Array,
-    shortened: Callable[[DriftPart, float, DriftPart], DriftPart],
-) -> DriftPart | None:
+    shortened: Callable[[Subdrift, float, Subdrift], Subdrift],
+) -> Subdrift | None:
     """Return a part of a drift up to where the first of some slips ends; None if none does.
 
     `part` comes with the kick before it, and `ends` is the friction that may end a slip; for this
@@ -86,14 +86,14 @@ def until_it_stops(
     return None
 
 
-def _ends(part: DriftPart, laws: Array, slips: Integers) -> float:
+def _ends(part: Subdrift, laws: Array, slips: Integers) -> float:
     """Return when the first of some slips ends on the parabolas of a part, or beyond its end."""
     first, last = _rates(part, laws, slips)
     slows = (first - last) / first
     return part.drift / max(float(slows.max()), TINY)
 
 
-def _bears(part: DriftPart) -> Booleans:
+def _bears(part: Subdrift) -> Booleans:
     """Return which friction slips, or may have ended a slip in the kick: (f,)."""
     slips = part.active.slip != 0
     if not len(slips):
@@ -104,7 +104,7 @@ def _bears(part: DriftPart) -> Booleans:
     return (bound > 0) & (slips | (np.abs(forces[layout.slips]) > HALF * bound))
 
 
-def _rates(part: DriftPart, laws: Array, rows: Integers) -> Array:
+def _rates(part: Subdrift, laws: Array, rows: Integers) -> Array:
     """Return the rates of slips at the beginning and at the end of a part: (2, s) [m/s]."""
     kick, half = part.kick, (laws + part.constraint_acceleration) * (part.drift / 2)
     jacobian = kick.rows_at_start.jacobian[kick.layout.slips][rows]

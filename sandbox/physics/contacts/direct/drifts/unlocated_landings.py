@@ -15,9 +15,9 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.physics.contacts.direct.complementarity.islands import islands
-from sandbox.physics.contacts.direct.drifts.drift_parts import around, movable
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingImpact
+from sandbox.physics.contacts.direct.drifts.subdrifts import around, movable
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.speculative_kicks import SolvedKick
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
@@ -53,19 +53,19 @@ def crowd(
     they may be stopped. `begins` tells whether the part is the whole drift: linkages are only
     stopped in that.
     """
-    moves = movable(kick)
-    crowded = np.zeros(len(moves), dtype=bool)
+    can_move = movable(kick)
+    crowded = np.zeros(len(can_move), dtype=bool)
     pairs = *(one.bodies for one in struck), *met.impact_pairs, *met.corner_pairs
     landings = [pair for pair in pairs if dull[pair]]
     if len(landings) <= MANY:
         return crowded
     groups = [np.flatnonzero(kick.acts[rows].any(axis=0)) for rows, _, _ in kick.layout.islands]
     whole = [*groups, *(np.array(pair) for pair in landings)]
-    for numbers in islands(whole, moves):
+    for numbers in islands(whole, can_move):
         if np.count_nonzero(numbers >= len(groups)) > MANY:
             for number in numbers.tolist():
                 crowded[whole[number]] = True
-    crowded &= moves
+    crowded &= can_move
     if not begins and _is_linkage(kick, crowded):
         crowded[:] = False
     return crowded
@@ -76,8 +76,8 @@ def _is_linkage(kick: Kick, crowded: Booleans) -> bool:
 
     Stopped in what is left of a drift, a ragdoll on stairs left 7 % of its energy unexplained.
     """
-    held = kick.acts[kick.layout.joints].any(axis=0)
-    return bool(2 * np.count_nonzero(crowded & held) > np.count_nonzero(crowded))
+    jointed = kick.acts[kick.layout.joints].any(axis=0)
+    return bool(2 * np.count_nonzero(crowded & jointed) > np.count_nonzero(crowded))
 
 
 def stopped(

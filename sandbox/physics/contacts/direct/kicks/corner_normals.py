@@ -25,13 +25,13 @@ class CornerPair(NamedTuple):
     """Two corners that meet.
 
     The points are along the axes of the first body and of the second [m]. The normal is from the
-    first to the second, along the axes of the first; `turned` is the angle of the second relative
-    to the first [rad].
+    first to the second, along the axes of the first; `relative_angle` is the angle of the second
+    relative to the first [rad].
     """
 
     points: tuple[complex, complex]
     normal: complex
-    turned: float
+    relative_angle: float
 
 
 class CornerPairs:
@@ -54,8 +54,8 @@ class CornerPairs:
             a, b = touching.bodies[:, gap].tolist()
             if kick.contacts.touches[touching.pair[gap]] == 1:
                 one, other = features.points[:, gap].tolist()
-                turned = float(kick.pose.angle[b] - kick.pose.angle[a])
-                new = CornerPair((one, other), complex(features.normal[gap]), turned)
+                relative_angle = float(kick.pose.angle[b] - kick.pose.angle[a])
+                new = CornerPair((one, other), complex(features.normal[gap]), relative_angle)
                 self._held[a, b] = before.get((a, b), new)
 
     def with_kept_normals(self, contacts: Contacts, pose: Coordinates, origin: complex) -> Contacts:
@@ -68,15 +68,15 @@ class CornerPairs:
         touches, direction = contacts.touches.copy(), contacts.direction.copy()
         points, depths = contacts.points.copy(), contacts.depths.copy()
         for row, (a, b) in enumerate(contacts.bodies.tolist()):
-            if held := self._held.get((a, b)):
-                n = held.normal * complex(pose.turned[a])
+            if kept := self._held.get((a, b)):
+                n = kept.normal * complex(pose.rotation[a])
                 first, second = (
-                    complex(pose.plane[body] + point * pose.turned[body])
-                    for body, point in zip((a, b), held.points, strict=True)
+                    complex(pose.position[body] + point * pose.rotation[body])
+                    for body, point in zip((a, b), kept.points, strict=True)
                 )
                 off = (second - first) * n.conjugate()
-                turned = float(pose.angle[b] - pose.angle[a]) - held.turned
-                if abs(off.imag) > REACH or abs(turned) > PARALLEL:
+                turn = float(pose.angle[b] - pose.angle[a]) - kept.relative_angle
+                if abs(off.imag) > REACH or abs(turn) > PARALLEL:
                     del self._held[a, b]
                     continue
                 middle = (first + second) / 2 + origin

@@ -12,7 +12,11 @@ from sandbox.physics.contacts.direct.solving.newton_method import solve_rows
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.impacts.pile_impacts import Pile
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.joints.exact.constraint_interface import angles, order, planes
+from sandbox.physics.joints.exact.constraint_interface import (
+    angles,
+    coordinate_indices,
+    translations,
+)
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 ROUNDING = 1e-9
@@ -60,7 +64,7 @@ def striking(
 
 def _rounding(kick: Kick, swift: Array) -> Array:
     """Return the rounding errors of the gaps' rates, (k,), from the sizes of velocities, (3 N,)."""
-    around = np.repeat(np.abs(planes(swift)), 2)  # rounding has no direction
+    around = np.repeat(np.abs(translations(swift)), 2)  # rounding has no direction
     speeds = np.abs(kick.rows_at_start.jacobian[kick.layout.gaps]) @ np.append(
         around, angles(swift)
     )
@@ -210,14 +214,14 @@ class _Rebound:
 
 def outcome(kick: Kick, velocity_after: Array, pushes: Array) -> ImpactOutcome:
     """Return the record of impacts, from the velocities after them, (3 N,), and impulses, (r,)."""
-    places = order(kick.response.shape[1] // 3 - 1)
-    jump = (pushes @ kick.response)[places]
+    indices = coordinate_indices(kick.response.shape[1] // 3 - 1)
+    jump = (pushes @ kick.response)[indices]
     reached = np.zeros(len(jump), dtype=bool)
     for rows, _, _ in kick.layout.islands:
         if pushes[rows].any():
             reached |= kick.acts[rows].any(axis=0)
     jump = np.where(reached[:, None], jump, 0.0)
-    return ImpactOutcome(reached, jump, velocity_after[places], np.zeros(len(jump)))
+    return ImpactOutcome(reached, jump, velocity_after[indices], np.zeros(len(jump)))
 
 
 def impulses(

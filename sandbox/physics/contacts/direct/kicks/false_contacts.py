@@ -49,8 +49,11 @@ class FalseContacts:
         if contacts.bodies is self._same and directed:
             return contacts
         good: Booleans = np.asarray(contacts.direction.any(axis=1))
-        pairs, known = pairs_of(contacts), self._pairs
-        if known is not None and (new := np.array([pair not in known for pair in pairs])).any():
+        pairs, known_pairs = pairs_of(contacts), self._pairs
+        if (
+            known_pairs is not None
+            and (new := np.array([pair not in known_pairs for pair in pairs])).any()
+        ):
             good &= ~new | (contacts.depth <= _reach(contacts, *moved()))
         self._pairs = {pair for pair, keep in zip(pairs, good, strict=True) if keep}
         whole = bool(good.all())
@@ -76,5 +79,5 @@ def _reach(contacts: Contacts, pose: Array, displacement: Array) -> Array:
     """Return the largest overlaps that a step can cause: (k,) [m]."""
     arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - pose[contacts.bodies], 2, 0))
     motion = displacement[contacts.bodies]
-    ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]
-    return np.asarray(FURTHER * ways.sum(axis=1) + QUADRATIC)
+    path_lengths = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]
+    return np.asarray(FURTHER * path_lengths.sum(axis=1) + QUADRATIC)

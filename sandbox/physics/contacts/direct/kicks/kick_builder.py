@@ -14,8 +14,8 @@ from sandbox.physics.contacts.direct.rows.row_layout import Layouts, Surfaces
 from sandbox.physics.contacts.direct.solving.overlap_correction import OverlapCorrection
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Batch, Booleans, Contacts
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
-from sandbox.physics.joints.exact.joint_system import Course
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, coordinate_indices
+from sandbox.physics.joints.exact.joint_system import KeptLengths
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 
@@ -34,17 +34,17 @@ class KickBuilder:
         batch: Batch,
         joints: ExactJoints,
         surfaces: Surfaces,
-        moves: Booleans,
+        movable: Booleans,
         query: Query,
         warm_start: WarmStart,
     ) -> None:
         self._batch, self._joints, self._surfaces = batch, joints, surfaces
-        self._moves, self._order = moves, order(len(moves))
-        self._still: Array = np.zeros((len(moves), 3))
+        self._moves, self._order = movable, coordinate_indices(len(movable))
+        self._still: Array = np.zeros((len(movable), 3))
         self._still.setflags(write=False)
         self._span = 0.0, 0.0  # of the drift after the kick [s]
-        self._course = joints.course(0.0, 0.0)
-        self._layouts = Layouts(joints, surfaces, moves)
+        self._kept_lengths = joints.kept_lengths(0.0, 0.0)
+        self._layouts = Layouts(joints, surfaces, movable)
         self._false, self._corners = FalseContacts(query), CornerPairs()
         self._overlaps = OverlapCorrection(surfaces, warm_start)
         self.contacts: Contacts = NO_CONTACTS
@@ -69,15 +69,15 @@ class KickBuilder:
         span = until - self._joints.drift, until
         if span == self._span and not np.count_nonzero(self._joints.added):
             return
-        self._span, self._course = span, self._joints.course(*span)
+        self._span, self._kept_lengths = span, self._joints.kept_lengths(*span)
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
-        self._course = self._joints.course(t, t)
+        self._kept_lengths = self._joints.kept_lengths(t, t)
 
-    def without_correction(self, course: Course) -> Kick:
+    def without_correction(self, kept_lengths: KeptLengths) -> Kick:
         """Return the system at the present positions; see `DirectSolver.without_correction`."""
-        self._course = course
+        self._kept_lengths = kept_lengths
         return self.at(self._joints.pose())
 
     def relay(self) -> None:
@@ -98,28 +98,28 @@ class KickBuilder:
         """
         pose, _ = self._joints.coordinates()
         kick = self.at(pose)
-        way = self._overlaps.displacement(kick, leaving) if self.corrects else None
-        if way is None:
+        displacement = self._overlaps.displacement(kick, leaving) if self.corrects else None
+        if displacement is None:
             return kick
         self.corrects = False
         state = self._batch.state()
-        self.shift = np.where(self._moves[:, None], way[self._order], 0.0)
+        self.shift = np.where(self._moves[:, None], displacement[self._order], 0.0)
         state[:, :3] += self.shift
         self._batch.set_state(state)
-        there = Coordinates(pose.values + way)
-        carried = kick.carried(there)
+        corrected_pose = Coordinates(pose.values + displacement)
+        carried = kick.carried(corrected_pose)
         found = self._false.updated(carried, state, self.shift, self._surfaces.slop)
         if found is carried:
-            return kick.at_pose(there)
+            return kick.at_pose(corrected_pose)
         self.contacts = found
-        return self.at(there)
+        return self.at(corrected_pose)
 
     def at(self, pose: Coordinates) -> Kick:
         """Return the system at given positions of the bodies."""
         joints = self._joints
         self.contacts = self._corners.with_kept_normals(self.contacts, pose, joints.origin)
         layout, running = self._layouts.of(self.contacts), self._surfaces.running
-        kick = Kick.at(pose, joints, self.contacts, layout, running, self._course)
+        kick = Kick.at(pose, joints, self.contacts, layout, running, self._kept_lengths)
         self._corners.note(kick)
         return kick
 
@@ -131,13 +131,15 @@ class KickBuilder:
             first_ends = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
             layout = layout.at_ends(np.pad(first_ends, ((0, 0), (0, len(ahead.bodies)))))
         running, closes = self._surfaces.running, kick.closing_count + len(ahead.bodies)
-        return Kick.at(kick.pose, self._joints, contacts, layout, running, kick.course, closes)
+        return Kick.at(
+            kick.pose, self._joints, contacts, layout, running, kick.kept_lengths, closes
+        )
 
     def rebuilt(
         self,
         pose: Coordinates,
         contacts: Contacts,
-        course: Course,
+        kept_lengths: KeptLengths,
         ends: Booleans | None = None,
     ) -> Kick:
         """Return the system of contacts at given positions, between lengths of the joints.
@@ -147,4 +149,4 @@ class KickBuilder:
         layout, running = self._layouts.new_layout(contacts), self._surfaces.running
         if ends is not None and ends.any():
             layout = layout.at_ends(ends)
-        return Kick.at(pose, self._joints, contacts, layout, running, course)
+        return Kick.at(pose, self._joints, contacts, layout, running, kept_lengths)

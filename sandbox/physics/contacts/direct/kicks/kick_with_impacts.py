@@ -10,7 +10,7 @@ from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult, Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
-from sandbox.physics.joints.exact.constraint_interface import order
+from sandbox.physics.joints.exact.constraint_interface import coordinate_indices
 
 
 class KickStart(NamedTuple):
@@ -47,14 +47,14 @@ def solve_kick(
     strikes = coupled_impacts.striking(kick, at_step, acts, start.change, pushed)
     if not (np.count_nonzero(strikes) or np.count_nonzero(kick.joints.added)):
         return _without_impacts(kick, start, velocity, kick.joints.kick, warm_start, placed=placed)
-    places = order(len(velocity) // 3 - 1)
+    indices = coordinate_indices(len(velocity) // 3 - 1)
     approach, before = coupled_impacts.approach_velocity(kick, at_step, strikes)
     left, pushes, _ = coupled_impacts.solve_impacts(kick, approach, strikes)
     rest = _without_impacts(kick, start, left, kick.joints.kick - lead, warm_start, placed=placed)
     stages = (
-        Stage.of(kick, lead, approach[places], before),
-        Stage.of(kick, 0, left[places], pushes),
-        Stage.of(kick, rest.duration, rest.velocity[places], rest.impulse),
+        Stage.of(kick, lead, approach[indices], before),
+        Stage.of(kick, 0, left[indices], pushes),
+        Stage.of(kick, rest.duration, rest.velocity[indices], rest.impulse),
     )
     record, total = coupled_impacts.outcome(kick, left, pushes), before + pushes + rest.impulse
     return rest._replace(impulse=total, impacts=record, stages=stages)
@@ -72,8 +72,8 @@ def _without_impacts(
     """Return a kick without impacts, or the rest of a kick after them, of length `duration` [s]."""
     motion = velocity + start.acceleration * duration
     guess = warm_start.guess(kick, motion, duration)
-    held = hold(kick, motion, guess, driven=start.driven, placed=placed)
-    impulse, velocity_after, active, flat = held
+    solution = hold(kick, motion, guess, driven=start.driven, placed=placed)
+    impulse, velocity_after, active, flat = solution
     slides = bool(np.count_nonzero(active.slip) or np.count_nonzero(guess[1].slip))
     forces, whole = impulse / duration, (impulse, None, ())
     return KickResult(

@@ -17,8 +17,8 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query, pairs_of
 from sandbox.physics.contacts.detection.time_of_impact import (
+    BodyMotion,
     Hit,
-    Motion,
     Path,
     meet,
     nearest,
@@ -38,7 +38,7 @@ from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.geometry.outline_distance import Outline, outlines
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, planes
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, translations
 
 MOST = 6
 """Two bodies move by at most this multiple of the largest coordinate change, one to the other."""
@@ -58,22 +58,22 @@ class ApproachingPairs:
         query: Query,
         shapes: ConvexParts,
         surfaces: Surfaces,
-        moves: Booleans,
+        movable: Booleans,
         hollows: HollowPairs,
         beside: Booleans,
     ) -> None:
         self._bodies, self._gates, self._shapes = query.bodies, query.gates, shapes
         self._hollows = hollows
         reach, convex = self._hollows.reach(shapes.reach), surfaces.figures.convex
-        known = np.isfinite(reach)
-        convex = known & convex
+        is_finite = np.isfinite(reach)
+        convex = is_finite & convex
         may = np.triu(surfaces.lands & (convex[:, None] & convex | self._hollows.pairs), 1)
-        may &= moves[:, None] | moves
+        may &= movable[:, None] | movable
         self._first, self._second = np.nonzero(may)
         self._beside = beside[may]
         self._outlines: dict[int, list[Outline]] = {}
         self._hollow = surfaces.figures.inner > 0
-        reach = np.where(known, reach, 0.0)
+        reach = np.where(is_finite, reach, 0.0)
         self._weights = np.concatenate((np.ones(2 * len(reach) + 2), reach, (0.0,)))
         self._room = np.zeros(len(self._first))  # lower bounds of their distances [m]
         self._calm = 0.0  # the least of these [m]
@@ -86,21 +86,24 @@ class ApproachingPairs:
         """Look at all pairs anew: joints changed, and what was one solid may collide."""
         self._room[:], self._seen = 0.0, None
 
-    def near(self, contacts: Contacts, pose: Coordinates, way: Array) -> list[Pair]:
+    def near(self, contacts: Contacts, pose: Coordinates, displacement: Array) -> list[Pair]:
         """Return the pairs that may meet in the drift: out of contact, or in contact elsewhere.
 
-        `way`, (3 N,), are the displacements of the bodies in the drift [m, rad].
+        `displacement`, (3 N,), are the displacements of the bodies in the drift [m, rad].
         """
         if not len(self._first):
             return []
-        way = way * self._weights
+        displacement = displacement * self._weights
         if self._seen is not None and contacts.bodies is self._touch:
             went = (pose.values - self._seen) * self._weights
-            if MOST * max_abs(np.abs(went) + np.abs(way)) < self._calm:
+            if MOST * max_abs(np.abs(went) + np.abs(displacement)) < self._calm:
                 return []
-            if not np.count_nonzero(went) and self._ahead == way.tobytes():
+            if not np.count_nonzero(went) and self._ahead == displacement.tobytes():
                 return self._found
-        self._ahead, self._found = way.tobytes(), self._search(contacts, pose, way)
+        self._ahead, self._found = (
+            displacement.tobytes(),
+            self._search(contacts, pose, displacement),
+        )
         return self._found
 
     def meet(self, path: Path, duration: float, pairs: Iterable[Pair]) -> list[Hit]:
@@ -147,11 +150,11 @@ class ApproachingPairs:
         """
         corners: list[HollowCorner] = []
         hits: list[Hit] = []
-        here, later = spread(path.pose), spread(path.pose_at(soon))
+        now, later = spread(path.pose), spread(path.pose_at(soon))
         placed = self._shapes.at(later)
         for a, b in pairs:
             if self._hollows.pairs[a, b]:
-                corners += self._hollows.touching((a, b), here, later)
+                corners += self._hollows.touching((a, b), now, later)
                 continue
             if self._shapes.gap((a, b), placed) > CLEAR:  # a small part of the work
                 continue
@@ -167,24 +170,24 @@ class ApproachingPairs:
             self._outlines[body] = [replace(outline, body=body) for outline in own]
         return self._outlines[body]
 
-    def _search(self, contacts: Contacts, pose: Coordinates, way: Array) -> list[Pair]:
+    def _search(self, contacts: Contacts, pose: Coordinates, displacement: Array) -> list[Pair]:
         """Return the pairs that may meet, and update the bounds of those that have come close."""
         first = self._seen is None
         if self._seen is not None:
             went = (pose.values - self._seen) * self._weights
             self._room -= self._between(went)
         self._seen, self._touch = pose.values, contacts.bodies
-        ahead = self._between(way)
-        touch, here = set(pairs_of(contacts)), self._shapes.at(pose)
+        ahead = self._between(displacement)
+        touch, parts = set(pairs_of(contacts)), self._shapes.at(pose)
         room, found = self._room.copy(), []
         for row in np.flatnonzero(self._room < ahead).tolist():
             pair = int(self._first[row]), int(self._second[row])
             if pair in touch:  # computed again in each search
                 beside = self._beside[row]
-                gap = self._shapes.gap(pair, here, beside=True) if beside else np.inf
+                gap = self._shapes.gap(pair, parts, beside=True) if beside else np.inf
                 self._room[row], room[row] = 0.0, gap
             else:
-                gap = self._gap(pair, here)
+                gap = self._gap(pair, parts)
                 near = first or gap <= ahead[row]
                 if near and (self._never_meet(pair) or self._within(pair, gap)):
                     gap = np.inf
@@ -194,25 +197,27 @@ class ApproachingPairs:
         self._calm = float(room.min())
         return found
 
-    def _gap(self, pair: Pair, here: PlacedParts) -> float:
+    def _gap(self, pair: Pair, parts: PlacedParts) -> float:
         """Return a lower bound of the distance between two bodies [m]."""
         if self._hollows.pairs[pair]:
-            return self._hollows.gap(pair, here.pose)
-        return self._shapes.gap(pair, here)
+            return self._hollows.gap(pair, parts.pose)
+        return self._shapes.gap(pair, parts)
 
     def _is_let(self, pair: Pair, pose: Coordinates) -> bool:
         """Return whether one of two bodies lets the other pass through from this side."""
         if self._gates is None:
             return False
-        at, there = ((complex(pose.plane[b]), complex(pose.turned[b])) for b in pair)
-        return self._gates.lets_pass_at(*pair, at, there)
+        placed, other_placed = (
+            (complex(pose.position[b]), complex(pose.rotation[b])) for b in pair
+        )
+        return self._gates.lets_pass_at(*pair, placed, other_placed)
 
-    def _between(self, way: Array) -> Array:
+    def _between(self, displacement: Array) -> Array:
         """Return a bound of how much closer displacements, (3 N,) [m], bring each pair [m]."""
-        count = len(way) // 3
-        plane, turn = planes(way), np.abs(way[2 * count :])
+        count = len(displacement) // 3
+        shift, turn = translations(displacement), np.abs(displacement[2 * count :])
         first, second = self._first, self._second
-        return np.asarray(np.abs(plane[first] - plane[second]) + turn[first] + turn[second])
+        return np.asarray(np.abs(shift[first] - shift[second]) + turn[first] + turn[second])
 
     def _within(self, pair: Pair, gap: float) -> bool:
         """Return whether one of two bodies is within the other, and never met from outside."""
@@ -230,10 +235,10 @@ def _on_sides(hit: Hit, path: Path, both: tuple[Outline, Outline]) -> Hit:
     Near sharp corners, which are a little round, the normal that was found is slightly off.
     """
     for outline, sign in zip(both, (1, -1), strict=True):
-        corners = Motion(path, outline.body, hit.time).put(outline.corners)
-        for here, there in pairwise((*corners, corners[0])):
-            if there != here:
-                normal = sign * -1j * (there - here) / abs(there - here)
+        corners = BodyMotion(path, outline.body, hit.time).place(outline.corners)
+        for corner, following in pairwise((*corners, corners[0])):
+            if following != corner:
+                normal = sign * -1j * (following - corner) / abs(following - corner)
                 if abs(normal - hit.normal) < PARALLEL:
                     return hit._replace(normal=normal)
     return hit

@@ -18,7 +18,7 @@ from sandbox.physics.joints.exact.constraint_interface import Coordinates
 if TYPE_CHECKING:
     from sandbox.physics.engine.space_arrays import Booleans
 
-PLACES = 2
+POSITION_ROUNDING = 2
 """How many placements are remembered: those at the start and at the end of a drift."""
 
 TOUCHING = 1e-7
@@ -69,14 +69,14 @@ class ConvexPart(NamedTuple):
         """The largest distance of its corners from the body's centre of mass [m]."""
         return max(map(abs, self.corners))
 
-    def placed(self, position: complex, turned: complex) -> "ConvexPart":
-        """Return it in the plane, with its body at a place and rotated."""
+    def placed(self, position: complex, rotation: complex) -> "ConvexPart":
+        """Return it in the plane, with its body at a position and rotated."""
         return ConvexPart(
-            [position + corner * turned for corner in self.corners],
-            [normal * turned for normal in self.normals],
+            [position + corner * rotation for corner in self.corners],
+            [normal * rotation for normal in self.normals],
             self.lengths,
             self.rounding,
-            position + self.middle * turned,
+            position + self.middle * rotation,
             self.radius,
         )
 
@@ -143,16 +143,16 @@ class PlacedParts:
 
     def __init__(self, parts: Sequence[Sequence[ConvexPart]], pose: Coordinates) -> None:
         self._parts, self.pose = parts, pose
-        self._plane: list[complex] = pose.plane.tolist()
-        self._turned: list[complex] = pose.turned.tolist()
+        self._plane: list[complex] = pose.position.tolist()
+        self._turned: list[complex] = pose.rotation.tolist()
         self._known: dict[Pair, ConvexPart] = {}
 
     def part(self, body: int, number: int) -> ConvexPart:
         """Return a part of a body."""
-        if (known := self._known.get((body, number))) is None:
-            where, turned = self._plane[body], self._turned[body]
-            known = self._known[body, number] = self._parts[body][number].placed(where, turned)
-        return known
+        if (part := self._known.get((body, number))) is None:
+            where, rotation = self._plane[body], self._turned[body]
+            part = self._known[body, number] = self._parts[body][number].placed(where, rotation)
+        return part
 
     def both(self, bodies: Pair, numbers: Pair) -> tuple[ConvexPart, ConvexPart]:
         """Return a part of each of two bodies."""
@@ -180,21 +180,21 @@ class ConvexParts:
     def at(self, pose: Coordinates) -> PlacedParts:
         """Return the parts with the bodies at some positions; the last placements are reused."""
         where = pose.values.tobytes()
-        if (known := self._placed.pop(where, None)) is None:
-            known = PlacedParts(self.parts, pose)
-        self._placed[where] = known
-        if len(self._placed) > PLACES:
+        if (parts := self._placed.pop(where, None)) is None:
+            parts = PlacedParts(self.parts, pose)
+        self._placed[where] = parts
+        if len(self._placed) > POSITION_ROUNDING:
             del self._placed[next(iter(self._placed))]
-        return known
+        return parts
 
-    def close(self, pair: Pair, there: PlacedParts) -> Iterator[Pair]:
+    def close(self, pair: Pair, parts: PlacedParts) -> Iterator[Pair]:
         """Yield the pairs of parts of two bodies that may overlap."""
         if self.single[pair[0]] and self.single[pair[1]]:
-            one, other = there.both(pair, (0, 0))
+            one, other = parts.both(pair, (0, 0))
             if abs(one.middle - other.middle) < one.radius + other.radius:
                 yield 0, 0
         else:
-            near = np.argwhere(self._between(pair, there.pose) < 0)
+            near = np.argwhere(self._between(pair, parts.pose) < 0)
             yield from ((int(first), int(second)) for first, second in near.tolist())
 
     def pairs(self, pair: Pair) -> Iterator[Pair]:
@@ -202,20 +202,20 @@ class ConvexParts:
         one, other = (range(len(self.parts[body])) for body in pair)
         return product(one, other)
 
-    def gap(self, pair: Pair, here: PlacedParts, *, beside: bool = False) -> float:
+    def gap(self, pair: Pair, parts: PlacedParts, *, beside: bool = False) -> float:
         """Return a lower bound of the distance between two bodies [m].
 
         With `beside` it is that of the parts that do not touch.
         """
         a, b = pair
         if self.single[a] and self.single[b]:
-            return here.part(a, 0).gap(here.part(b, 0))
-        between, least = self._between(pair, here.pose), inf
+            return parts.part(a, 0).gap(parts.part(b, 0))
+        between, least = self._between(pair, parts.pose), inf
         for at in np.argsort(between, axis=None):
             first, second = divmod(int(at), between.shape[1])
             if between[first, second] >= least:
                 break
-            one, other = here.part(a, first), here.part(b, second)
+            one, other = parts.part(a, first), parts.part(b, second)
             gap = one.gap(other)
             if not (beside and gap <= TOUCHING and one.touches(other)):
                 least = min(least, gap)
@@ -224,5 +224,5 @@ class ConvexParts:
     def _between(self, pair: Pair, pose: Coordinates) -> Array:
         """Return the distances between the enclosing discs of two bodies' parts: (k, l) [m]."""
         a, b = pair
-        one, other = (pose.plane[c] + self._middle[c] * pose.turned[c] for c in pair)
+        one, other = (pose.position[c] + self._middle[c] * pose.rotation[c] for c in pair)
         return np.asarray(np.abs(one[:, None] - other) - self._radius[a][:, None] - self._radius[b])

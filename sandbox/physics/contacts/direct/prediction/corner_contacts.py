@@ -34,8 +34,8 @@ def on_side(both: Both, own: int, side: int, corner: int) -> CornerOnSide:
     owner, guest = both[own], both[1 - own]
     normal = owner.normals[side]
     tip = guest.corners[corner] - normal * guest.rounding
-    way = (guest.corners[corner] - owner.corners[side]) * normal.conjugate()
-    return CornerOnSide(own, normal, tip, way.real - (owner.rounding + guest.rounding))
+    offset = (guest.corners[corner] - owner.corners[side]) * normal.conjugate()
+    return CornerOnSide(own, normal, tip, offset.real - (owner.rounding + guest.rounding))
 
 
 def within(ended: Both) -> Iterator[tuple[int, int, int]]:
@@ -66,8 +66,8 @@ def _behind(ended: Both, own: int, side: int, least: float) -> Iterator[tuple[in
         owner, guest = ended[row], ended[1 - row]
         if chosen is None:
             continue
-        for corner, way in enumerate(owner.seen(guest, chosen)):
-            if way.real < -least and -ALIKE < way.imag < owner.lengths[chosen] + ALIKE:
+        for corner, offset in enumerate(owner.seen(guest, chosen)):
+            if offset.real < -least and -ALIKE < offset.imag < owner.lengths[chosen] + ALIKE:
                 yield row, chosen, corner
 
 

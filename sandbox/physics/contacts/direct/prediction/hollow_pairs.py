@@ -14,7 +14,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Motion, Path, meet
+from sandbox.physics.contacts.detection.time_of_impact import TOUCH, BodyMotion, Hit, Path, meet
 from sandbox.physics.contacts.direct.prediction.convex_parts import TOUCHING, Pair
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
@@ -24,7 +24,7 @@ from sandbox.physics.geometry.curve_contacts import verdict
 from sandbox.physics.geometry.outline_distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.root_finding import root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.space_arrays import Booleans
@@ -43,7 +43,7 @@ LOOKS = 2000
 and 60 Hz. What is faster still may pass through; if numbers have run away, no looks are enough."""
 
 
-Places = tuple[Placed, Placed]
+Poses = tuple[Placed, Placed]
 """The positions and rotations of two bodies."""
 
 
@@ -58,9 +58,9 @@ class HollowCorner(NamedTuple):
     own: int
     trace: Trace
 
-    def spot(self, places: Places) -> ContactGeometry:
+    def spot(self, poses: Poses) -> ContactGeometry:
         """Return the contact with the bodies at some positions."""
-        return self.trace(places[self.own], places[1 - self.own])
+        return self.trace(poses[self.own], poses[1 - self.own])
 
 
 class _Line(NamedTuple):
@@ -71,7 +71,7 @@ class _Line(NamedTuple):
     body; for a whole circle, which looks the same as it turns, it is that of its centre [m].
     """
 
-    points: Plane
+    points: Complexes
     near: float
     reach: float
 
@@ -79,15 +79,15 @@ class _Line(NamedTuple):
     def of(cls, piece: Piece) -> "_Line | None":
         """Return those of an arc or a curve; None for other pieces."""
         if side := piece.curve:
-            knots, near = side.course.knots, side.half + side.course.spacing / 2
+            knots, near = side.middle_line.knots, side.half + side.middle_line.spacing / 2
             return cls(knots, near, float(np.abs(knots).max()) + near)
         arc = piece.arc
         if arc is None or piece.outward:
             return None
         half = acos(arc.cosine) if arc.cosine >= -1 else pi
-        ways = np.exp(1j * np.linspace(-half, half, SAMPLES + 1))
+        directions = np.exp(1j * np.linspace(-half, half, SAMPLES + 1))
         thick = max(arc.outer - arc.radius, arc.radius - arc.inner)
-        points = arc.center + arc.radius * arc.middle * ways
+        points = arc.center + arc.radius * arc.middle * directions
         reach = abs(arc.center) + (arc.outer if half < pi else 0.0)
         return cls(points, thick + arc.radius * half / SAMPLES, reach)
 
@@ -145,13 +145,13 @@ class HollowPairs:
             reach[row] = line.reach
         return reach
 
-    def gap(self, pair: Pair, here: Coordinates) -> float:
+    def gap(self, pair: Pair, pose: Coordinates) -> float:
         """Return a lower bound of the distance between two bodies [m]."""
         hollow, other = self._in_order(pair)
-        line, turned = self._lines[hollow], complex(here.turned[hollow])
-        points = complex(here.plane[hollow]) + line.points * turned
-        points -= complex(here.plane[other])
-        points /= complex(here.turned[other])
+        line, rotation = self._lines[hollow], complex(pose.rotation[hollow])
+        points = complex(pose.position[hollow]) + line.points * rotation
+        points -= complex(pose.position[other])
+        points /= complex(pose.rotation[other])
         pieces = [shape.piece for shape in self._shapes[other] if shape.piece.corner is None]
         return min(_distance(points, piece) for piece in pieces) - line.near
 
@@ -177,32 +177,35 @@ class HollowPairs:
 
     def _times(self, path: Path, duration: float, pair: Pair) -> Iterator[float]:
         """Yield the times at which to look for contacts: several where bodies are fast."""
-        (at, _), (there, _) = _moved(path, pair, 0.0)
+        (position, _), (other_position, _) = _moved(path, pair, 0.0)
         (end, _), (ended, _) = _moved(path, pair, duration)
-        way = abs((ended - end) - (there - at))
+        relative_path = abs((ended - end) - (other_position - position))
         size = min(shape.size for shape in self._shapes[self._in_order(pair)[1]])
-        looks = 1 + int(min(LOOKS - 1, way / (SLIM * size)))
+        looks = 1 + int(min(LOOKS - 1, relative_path / (SLIM * size)))
         return (duration * (look + 1) / looks for look in range(looks))
 
     def corners(self, pair: Pair, here: Coordinates, there: Coordinates) -> Iterator[HollowCorner]:
         """Yield the points of two bodies that are apart here, and in each other there."""
-        start, end = placed(pair, here), placed(pair, there)
-        for corner in (*self._outside(pair, end), *(c for c, _ in self._contacts(pair, end))):
-            if corner.spot(end).gap < -LEAST and corner.spot(start).gap > 0:
+        placed_before, placed_after = placed(pair, here), placed(pair, there)
+        for corner in (
+            *self._outside(pair, placed_after),
+            *(c for c, _ in self._contacts(pair, placed_after)),
+        ):
+            if corner.spot(placed_after).gap < -LEAST and corner.spot(placed_before).gap > 0:
                 yield corner
 
-    def touching(self, pair: Pair, here: Coordinates, soon: Coordinates) -> Iterator[HollowCorner]:
+    def touching(self, pair: Pair, now: Coordinates, soon: Coordinates) -> Iterator[HollowCorner]:
         """Yield the points of two bodies that touch here, and still do a little later."""
-        start, later = placed(pair, here), placed(pair, soon)
+        start, later = placed(pair, now), placed(pair, soon)
         for corner in (*self._outside(pair, later), *(c for c, _ in self._contacts(pair, later))):
             if abs(corner.spot(start).gap) < TOUCHING:
                 yield corner
 
-    def _outside(self, pair: Pair, places: Places) -> Iterator[HollowCorner]:
+    def _outside(self, pair: Pair, poses: Poses) -> Iterator[HollowCorner]:
         """Yield the possible contacts with the outside and the ends of arcs and curves."""
-        for one, other in self._close(pair, places):
+        for one, other in self._close(pair, poses):
             both = one.outline, other.outline
-            if both[0] and both[1] and verdict(one.piece, other.piece, *places) is True:
+            if both[0] and both[1] and verdict(one.piece, other.piece, *poses) is True:
                 yield HollowCorner(pair, 0, trace_convex(both[0], both[1]))
 
     def _convex(
@@ -213,8 +216,8 @@ class HollowPairs:
             if one.outline and other.outline:
                 hit = meet(path, one.outline, other.outline, 0.0, duration, velocity_changes)
                 if hit and hit.time:
-                    places = _moved(path, pair, hit.time)
-                    if verdict(one.piece, other.piece, *places) is True:
+                    poses = _moved(path, pair, hit.time)
+                    if verdict(one.piece, other.piece, *poses) is True:
                         yield hit
 
     def _traced(self, path: Path, duration: float, pair: Pair) -> Iterator[Hit]:
@@ -224,48 +227,48 @@ class HollowPairs:
             if time and self._touches(corner, guest, _moved(path, pair, time)):
                 yield _hit(path, time, corner)
 
-    def _contacts(self, pair: Pair, places: Places) -> Iterator[tuple[HollowCorner, Piece]]:
+    def _contacts(self, pair: Pair, poses: Poses) -> Iterator[tuple[HollowCorner, Piece]]:
         """Yield the contacts of two bodies from inside or with a curve, each with its guest."""
-        for shapes in self._close(pair, places):
+        for shapes in self._close(pair, poses):
             pieces = shapes[0].piece, shapes[1].piece
-            found = verdict(*pieces, *places)
+            found = verdict(*pieces, *poses)
             if not isinstance(found, bool):
                 own = pair.index(found.arc.body)
                 hollow, guest = pieces[own], pieces[1 - own]
-                traced = trace(found, hollow, guest, places[own], places[1 - own])
+                traced = trace(found, hollow, guest, poses[own], poses[1 - own])
                 yield HollowCorner(pair, own, traced), guest
 
-    def _close(self, pair: Pair, places: Places) -> Iterator[tuple[_Shape, _Shape]]:
+    def _close(self, pair: Pair, poses: Poses) -> Iterator[tuple[_Shape, _Shape]]:
         """Yield the pairs of shapes of two bodies that may overlap."""
         first, second = (
             [(shape, to_plane(pose, shape.middle)) for shape in self._shapes[body]]
-            for body, pose in zip(pair, places, strict=True)
+            for body, pose in zip(pair, poses, strict=True)
         )
-        for (one, here), (other, there) in product(first, second):
-            if abs(there - here) < one.size + other.size:
+        for (one, placed), (other, other_placed) in product(first, second):
+            if abs(other_placed - placed) < one.size + other.size:
                 yield one, other
 
-    def _touches(self, corner: HollowCorner, guest: Piece, places: Places) -> bool:
+    def _touches(self, corner: HollowCorner, guest: Piece, poses: Poses) -> bool:
         """Return whether a shape touches the hollow body of a contact.
 
         It may miss an arc, and meet a curve where another of its stretches begins.
         """
-        at, there = places[corner.own], places[1 - corner.own]
+        own_pose, guest_pose = poses[corner.own], poses[1 - corner.own]
         shapes = self._shapes[corner.pair[corner.own]]
-        found = (verdict(shape.piece, guest, at, there) for shape in shapes)
+        found = (verdict(shape.piece, guest, own_pose, guest_pose) for shape in shapes)
         return any(isinstance(touch, Touch) for touch in found)
 
 
-def placed(pair: Pair, pose: Coordinates) -> Places:
+def placed(pair: Pair, pose: Coordinates) -> Poses:
     """Return the positions and rotations of two bodies."""
-    one, other = ((complex(pose.plane[body]), complex(pose.turned[body])) for body in pair)
+    one, other = ((complex(pose.position[body]), complex(pose.rotation[body])) for body in pair)
     return one, other
 
 
-def _moved(path: Path, pair: Pair, time: float) -> Places:
+def _moved(path: Path, pair: Pair, time: float) -> Poses:
     """Return the positions and rotations of two bodies at a time."""
-    one, other = (Motion(path, body, time) for body in pair)
-    return (one.pose, one.turned), (other.pose, other.turned)
+    one, other = (BodyMotion(path, body, time) for body in pair)
+    return (one.position, one.rotation), (other.position, other.rotation)
 
 
 def _time(path: Path, duration: float, corner: HollowCorner) -> float | None:
@@ -282,15 +285,15 @@ def _hit(path: Path, time: float, corner: HollowCorner) -> Hit:
     """Return the impact of a hollow body and another at a time."""
     (a, b), (normal, tip, gap) = corner.pair, corner.spot(_moved(path, corner.pair, time))
     point, normal = (tip, -normal) if corner.own else (tip - normal * gap, normal)
-    one, other = (Motion(path, body, time).speed(point) for body in (a, b))
+    one, other = (BodyMotion(path, body, time).velocity_at(point) for body in (a, b))
     return Hit(time, (a, b), normal, (point,), dot(normal, other - one))
 
 
-def _distance(points: Plane, piece: Piece) -> float:
+def _distance(points: Complexes, piece: Piece) -> float:
     """Return the least distance of points outside a shape from it [m]."""
     ends = np.array(piece.core)
     starts = np.roll(ends, 1)
-    along, way = ends - starts, points[:, None] - starts
+    along, offset = ends - starts, points[:, None] - starts
     square = np.maximum((along * along.conj()).real, TINY)
-    share = np.clip((way * along.conj()).real / square, 0.0, 1.0)
-    return float(np.abs(way - share * along).min()) - piece.radius
+    share = np.clip((offset * along.conj()).real / square, 0.0, 1.0)
+    return float(np.abs(offset - share * along).min()) - piece.radius

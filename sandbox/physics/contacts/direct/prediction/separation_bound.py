@@ -42,7 +42,7 @@ class Separation:
 
     def __init__(self, shapes: ConvexParts, path: Path, duration: float) -> None:
         self._shapes, self._path, self._duration = shapes, path, duration
-        self._here, self._there = (shapes.at(spread(path.pose_at(t))) for t in (0.0, duration))
+        self._start, self._end = (shapes.at(spread(path.pose_at(t))) for t in (0.0, duration))
         self._known: dict[int, _Motion] = {}
 
     def unsure(self, pair: Pair) -> list[Pair]:
@@ -50,33 +50,35 @@ class Separation:
         one, other = map(self._motion, pair)
         resting = self._sag(abs(other.acceleration - one.acceleration) + one.bend + other.bend)
         falls = self._falls(pair, one, other), self._falls(pair, other, one), resting
-        here, there = self._here, self._there
+        start, end = self._start, self._end
         return [
             parts
             for parts in self._shapes.pairs(pair)
-            if not _stay_apart(here.both(pair, parts), there.both(pair, parts), falls)
+            if not _stay_apart(start.both(pair, parts), end.both(pair, parts), falls)
         ]
 
     def _motion(self, body: int) -> _Motion:
-        if (known := self._known.get(body)) is None:
+        if (motion := self._known.get(body)) is None:
             vx, vy, spin = self._path.velocity[body].tolist()
             ax, ay, twist = self._path.acceleration[body].tolist()
             fastest = abs(spin) + abs(twist) * self._duration
             reach = float(self._shapes.reach[body])
-            known = _Motion(complex(vx, vy), complex(ax, ay), fastest, abs(twist), reach)
-            self._known[body] = known
-        return known
+            motion = _Motion(complex(vx, vy), complex(ax, ay), fastest, abs(twist), reach)
+            self._known[body] = motion
+        return motion
 
     def _falls(self, pair: Pair, side: _Motion, corner: _Motion) -> float:
         """Return how far the height of a corner over a side may fall below that at both ends [m].
 
         For its acceleration relative to the side see `_turning` in `time_of_impact`.
         """
-        plane, duration = self._here.pose.plane, self._duration
+        position, duration = self._start.pose.position, self._duration
         acceleration = abs(corner.acceleration - side.acceleration) + corner.bend
-        goes = abs(corner.velocity - side.velocity) + corner.reach * corner.spin
-        fastest = goes + acceleration * duration
-        farthest = float(abs(plane[pair[1]] - plane[pair[0]])) + corner.reach + fastest * duration
+        relative_speed = abs(corner.velocity - side.velocity) + corner.reach * corner.spin
+        fastest = relative_speed + acceleration * duration
+        farthest = (
+            float(abs(position[pair[1]] - position[pair[0]])) + corner.reach + fastest * duration
+        )
         turns = 2 * side.spin * fastest + (side.twist + side.spin * side.spin) * farthest
         return self._sag(acceleration + turns)
 
@@ -96,26 +98,28 @@ Both = tuple[ConvexPart, ConvexPart]
 """A part of each of two bodies."""
 
 
-def _stay_apart(here: Both, there: Both, falls: tuple[float, float, float]) -> bool:
+def _stay_apart(start: Both, end: Both, falls: tuple[float, float, float]) -> bool:
     """Return whether two parts certainly stay apart between two placements.
 
     `falls` bounds how far heights over sides of the first and of the second part, and distances
     along a fixed direction, may fall in between [m].
     """
     resting = falls[2]
-    way = here[1].middle - here[0].middle
-    apart, around = abs(way), here[0].radius + here[1].radius + resting
+    offset = start[1].middle - start[0].middle
+    apart, around = abs(offset), start[0].radius + start[1].radius + resting
     if apart > around:
-        later = there[1].middle - there[0].middle
-        if (later * way.conjugate()).real > around * apart:
+        later = end[1].middle - end[0].middle
+        if (later * offset.conjugate()).real > around * apart:
             return True
     for own in (0, 1):
-        if here[own].normals:
-            high, side = here[own].shows(here[1 - own])
-            if high > falls[own] and there[own].lowest(there[1 - own], side) > falls[own]:
+        if start[own].normals:
+            high, side = start[own].shows(start[1 - own])
+            if high > falls[own] and end[own].lowest(end[1 - own], side) > falls[own]:
                 return True
-    way = min([q - p for p in here[0].corners for q in here[1].corners], key=abs)
-    return bool(way) and all(_apart(both, way / abs(way)) > resting for both in (here, there))
+    offset = min([q - p for p in start[0].corners for q in start[1].corners], key=abs)
+    return bool(offset) and all(
+        _apart(both, offset / abs(offset)) > resting for both in (start, end)
+    )
 
 
 def _apart(both: Both, normal: complex) -> float:

@@ -15,7 +15,7 @@ from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.arc_contacts import Piece
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 
 class EndCrossing(NamedTuple):
@@ -47,8 +47,8 @@ class EndCrossing(NamedTuple):
     def point_on_side(self, pose: Coordinates) -> complex:
         """Return the point that passes, along the axes of the body with the side [m]."""
         own, other = self.bodies
-        there = pose.plane[other] + self.point * pose.turned[other] - pose.plane[own]
-        return complex(there / pose.turned[own])
+        offset = pose.position[other] + self.point * pose.rotation[other] - pose.position[own]
+        return complex(offset / pose.rotation[own])
 
 
 class PointsOnSides(NamedTuple):
@@ -64,7 +64,7 @@ class PointsOnSides(NamedTuple):
     side: Integers
     other: Integers
     number: Integers
-    point: Plane
+    point: Complexes
     along_side: Array
     begin: Array
     end: Array
@@ -73,16 +73,16 @@ class PointsOnSides(NamedTuple):
     @classmethod
     def at(cls, kick: Kick, sides: Sides) -> "PointsOnSides":
         """Return the points of a kick."""
-        features, turned, plane = kick.features, kick.pose.turned, kick.pose.plane
+        features, rotation, position = kick.features, kick.pose.rotation, kick.pose.position
         bodies, each = kick.layout.touching.bodies, np.arange(len(kick.layout.touching.pair))
         own = np.where(features.side[each] == bodies[0], 0, 1)
         side, other = bodies[own, each], bodies[1 - own, each]
         point = features.points[1 - own, each]
         out = features.normal[each] * (1 - 2 * own)
         on, _ = sides.facing(side, out, features.points[own, each])
-        lies, along = sides.facing(other, -out * turned[side] / turned[other], point)
-        way = (plane[other] + point * turned[other] - plane[side]) / turned[side]
-        seen = (way * out.conj()).imag
+        lies, along = sides.facing(other, -out * rotation[side] / rotation[other], point)
+        offset = (position[other] + point * rotation[other] - position[side]) / rotation[side]
+        seen = (offset * out.conj()).imag
         before = np.where(lies, along[:, None] - sides.begin[other], 0.0).max(axis=1)
         after = np.where(lies, sides.end[other] - along[:, None], 0.0).max(axis=1)
         begin, end = sides.begin[side] - before[:, None], sides.end[side] + after[:, None]
@@ -114,7 +114,7 @@ class Line(NamedTuple):
     def of(cls, piece: Piece) -> "Line | None":
         """Return an arc or a curve; None for other pieces, and for closed ones."""
         if piece.curve:
-            feet = piece.curve.course.ends
+            feet = piece.curve.middle_line.ends
             ends = [(f.point, -f.tangent if f.parameter == 0 else f.tangent) for f in feet]
             return cls(ends, piece.curve.half, None) if ends else None
         arc = piece.arc

@@ -42,7 +42,12 @@ from sandbox.physics.contacts.direct.rows.contact_properties import SLOP
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Booleans, Contacts
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, order, planes
+from sandbox.physics.joints.exact.constraint_interface import (
+    Coordinates,
+    angles,
+    coordinate_indices,
+    translations,
+)
 
 LOOKS = 30
 """How often, at most, a drift is followed to its end: in a rocking stack each time finds one more
@@ -93,12 +98,12 @@ class SpeculativeContacts:
     (n, n), tells which pairs lose nearly all their energy in an impact.
     """
 
-    def __init__(self, query: Query, surfaces: Surfaces, moves: Booleans) -> None:
+    def __init__(self, query: Query, surfaces: Surfaces, movable: Booleans) -> None:
         self._bodies, self._shapes = query.bodies, ConvexParts(query.bodies)
-        shapes, self._hollows = self._shapes, HollowPairs(query.hollows, len(moves))
+        shapes, self._hollows = self._shapes, HollowPairs(query.hollows, len(movable))
         looks = shapes.sided[:, None] & shapes.sided | self._hollows.pairs
         self._looks = looks & ((surfaces.restitution == 0) | surfaces.lands)
-        self._looks &= moves[:, None] | moves
+        self._looks &= movable[:, None] | movable
         self.dull: Booleans = surfaces.restitution**2 < LITTLE
         self._any = bool(self._looks.any())
         several = ~(shapes.single[:, None] & shapes.single)
@@ -106,7 +111,7 @@ class SpeculativeContacts:
         self._asked: tuple[Kick, float, Array] | None = None  # the last question
         self._found: list[AnyCorner] = []  # its answer
         beside = several & ~self._looks
-        self.approaching = ApproachingPairs(query, shapes, surfaces, moves, self._hollows, beside)
+        self.approaching = ApproachingPairs(query, shapes, surfaces, movable, self._hollows, beside)
         self.ends = SupportEnds(shapes, surfaces, query.hollows, self._hollows.reach(shapes.reach))
 
     def corners(self, kick: Kick, motion: Array) -> list[AnyCorner]:
@@ -119,8 +124,8 @@ class SpeculativeContacts:
             return []
         drift = kick.joints.drift
         if self._asked:
-            last, lasted, moved = self._asked
-            if last is kick and lasted == drift and np.array_equal(moved, motion):
+            last, last_duration, moved = self._asked
+            if last is kick and last_duration == drift and np.array_equal(moved, motion):
                 return self._found
         self._asked, self._found = (kick, drift, motion), self._search(kick, motion, drift)
         return self._found
@@ -131,8 +136,8 @@ class SpeculativeContacts:
         if not turning:
             return []
         ended = Coordinates(kick.pose.values + drift * motion)
-        here, there = self._shapes.at(kick.pose), self._shapes.at(ended)
-        found = [one for pair in turning for one in self._down(pair, here, there)]
+        start, end = self._shapes.at(kick.pose), self._shapes.at(ended)
+        found = [one for pair in turning for one in self._down(pair, start, end)]
         if not found:
             return []
         new = _new(self.contacts(found, kick.pose, kick.joints.origin), kick).tolist()
@@ -158,16 +163,16 @@ class SpeculativeContacts:
 
         `motion`, (3 N,), has the velocities in that drift [m/s, rad/s].
         """
-        drift, places = kick.joints.drift, order(len(kick.pose.values) // 3 - 1)
+        drift, indices = kick.joints.drift, coordinate_indices(len(kick.pose.values) // 3 - 1)
         near = self.approaching.near(kick.contacts, kick.pose, drift * motion)
         near = [pair for pair in near if some[[*pair]].any()]
-        path = Path(kick.pose.values[places], motion[places], np.zeros(places.shape))
+        path = Path(kick.pose.values[indices], motion[indices], np.zeros(indices.shape))
         hits = self.approaching.ahead(path, drift, near)
         corners = [one for one in self.corners(kick, motion) if some[[*one.pair]].any()]
-        here, there = kick.pose, Coordinates(kick.pose.values + drift * motion)
+        start, end = kick.pose, Coordinates(kick.pose.values + drift * motion)
         for pair in near:
             if self._hollows.pairs[pair]:
-                corners += self._hollows.corners(pair, here, there)
+                corners += self._hollows.corners(pair, start, end)
         return self.contacts(corners, kick.pose, kick.joints.origin, hits)
 
     def height(self, corner: AnyCorner, pose: Coordinates) -> float:
@@ -198,20 +203,20 @@ class SpeculativeContacts:
         pair, parts, own, side, number = corner
         return on_side(self._shapes.at(pose).both(pair, parts), own, side, number)
 
-    def _turning(self, contacts: Contacts, way: Array) -> list[Pair]:
+    def _turning(self, contacts: Contacts, displacement: Array) -> list[Pair]:
         """Return the touching pairs that move far enough for another corner to meet.
 
-        Two straight sides only meet one if they rotate. `way`, (3 N,), are the displacements of the
-        bodies in the drift [m, rad].
+        Two straight sides only meet one if they rotate. `displacement`, (3 N,), are those of
+        the bodies in the drift [m, rad].
         """
         a, b = contacts.bodies.T
-        reach, single, turns = self._shapes.reach, self._shapes.single, angles(way)
-        turned = np.abs(turns[a] - turns[b])
-        far = turned * np.minimum(reach[a], reach[b]) > LEAST
+        reach, single, turns = self._shapes.reach, self._shapes.single, angles(displacement)
+        turn = np.abs(turns[a] - turns[b])
+        far = turn * np.minimum(reach[a], reach[b]) > LEAST
         slides = self._slides[a, b]
         if np.count_nonzero(slides):
-            plane = planes(way)
-            far |= slides & (np.abs(plane[a] - plane[b]) + turned > LEAST)
+            shift = translations(displacement)
+            far |= slides & (np.abs(shift[a] - shift[b]) + turn > LEAST)
         if not np.count_nonzero(far):
             return []
         # where sides of equal height meet at a small angle, both points are at the same end
@@ -236,10 +241,10 @@ def _new(found: Contacts, kick: Kick) -> Booleans:
     A rounded corner that rotates ends a little deeper than its row allowed, and is not new. In the
     corner of a bin it meets the wall where it touches the floor; that is new.
     """
-    known, (spots, pairs) = kick.contacts, np.nonzero(kick.contacts.touches > _BOTH)
-    far = np.abs(found.points[:, None, 0] - known.points[pairs, spots]).max(axis=2)
-    bodies = np.sort(known.bodies[pairs], axis=1)
+    contacts, (spots, pairs) = kick.contacts, np.nonzero(kick.contacts.touches > _BOTH)
+    far = np.abs(found.points[:, None, 0] - contacts.points[pairs, spots]).max(axis=2)
+    bodies = np.sort(contacts.bodies[pairs], axis=1)
     near = far < np.maximum(SLOP, found.depth)[:, None]
     same = (np.sort(found.bodies, axis=1)[:, None] == bodies).all(axis=2) & near
-    same &= np.abs(found.direction @ known.direction[pairs].T) > ALIKE
+    same &= np.abs(found.direction @ contacts.direction[pairs].T) > ALIKE
     return np.asarray(~same.any(axis=1))

@@ -10,7 +10,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexPart
 from sandbox.physics.contacts.direct.rows.contact_outlines import PARALLEL
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 NEAR = 1e-6
 """m, the largest distance of a contact point from its side, and between sides in one line.
@@ -47,11 +47,11 @@ class Sides:
         table = np.full((5, len(sides), max(1, *map(len, sides))), np.nan, dtype=complex)
         for row, own in enumerate(sides):
             table[:, row, : len(own)] = np.array(own, dtype=complex).reshape(-1, 5).T
-        self.normal: Plane = table[0]
+        self.normal: Complexes = table[0]
         self.height, self.begin, self.end, self.rounding = table[1:].real.copy()
         self.any: Booleans = np.array([bool(own) for own in sides], dtype=bool)
 
-    def facing(self, body: Integers, out: Plane, at: Plane) -> tuple[Booleans, Array]:
+    def facing(self, body: Integers, out: Complexes, at: Complexes) -> tuple[Booleans, Array]:
         """Return which sides face a direction and go through a point, or past the core of one.
 
         These are (k, s). Also the positions of the points along them, (k,) [m]. `body`, (k,), are
@@ -71,10 +71,10 @@ class Sides:
         """
         seen = corner * self.normal[body].conj()
         level = np.abs(self.height[body] - self.rounding[body] - seen.real) < NEAR
-        for way, ends in ((1, self.begin[body]), (-1, self.end[body])):
+        for direction, ends in ((1, self.begin[body]), (-1, self.end[body])):
             for side in np.flatnonzero(level & (np.abs(ends - seen.imag) < NEAR)).tolist():
                 normal = complex(self.normal[body, side])
-                yield normal, complex(self.height[body, side], ends[side]) * normal, way
+                yield normal, complex(self.height[body, side], ends[side]) * normal, direction
 
 
 def _sides(part: ConvexPart) -> Iterator[Side]:

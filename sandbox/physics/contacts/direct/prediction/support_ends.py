@@ -30,8 +30,8 @@ from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.geometry.outline_distance import dot
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, planes
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, translations
+from sandbox.physics.state.anchor import Complexes
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
@@ -67,7 +67,7 @@ class SupportEnds:
         arms = np.where(np.isfinite(reach), reach, 0.0) + np.where(self._ends, thickest, 0.0)
         self._weights = np.concatenate((np.ones(2 * len(arms) + 2), arms, (0.0,)))
         self._touching: ContactPoints | None = None  # the points at the last search
-        self._tips: Plane | None = None  # those opposite to sides, if they may change
+        self._tips: Complexes | None = None  # those opposite to sides, if they may change
         self._last_positions = self._weights  # the positions then
         self._clearance = 0.0  # how far all points were from the ends of sides [m]
 
@@ -83,13 +83,13 @@ class SupportEnds:
         ahead = MOST * max_abs(displacement * self._weights)
         if ahead < LEAST:
             return []
-        there, bears = Coordinates(kick.pose.values + displacement), forces[kick.layout.gaps] > 0
+        end, bears = Coordinates(kick.pose.values + displacement), forces[kick.layout.gaps] > 0
         return [
             one
             for one in self._all(kick, ahead)
             if self._lands[one.bodies]
-            and one.distance_left(there) < -LEAST
-            and (bears[one.gap] or _comes_down(kick, one, there))
+            and one.distance_left(end) < -LEAST
+            and (bears[one.gap] or _comes_down(kick, one, end))
         ]
 
     def _is_far(self, kick: Kick, displacement: Array) -> bool:
@@ -99,9 +99,9 @@ class SupportEnds:
             return False
         change = (kick.pose.values + displacement - self._last_positions) * self._weights
         if MOST * max_abs(change) >= self._clearance:
-            (a, b), plane, turns = touching.bodies, planes(change), np.abs(angles(change))
-            goes = np.abs(plane[a] - plane[b]) + turns[a] + turns[b]
-            if goes.max(initial=0.0) >= self._clearance:
+            (a, b), shift, turns = touching.bodies, translations(change), np.abs(angles(change))
+            path_length = np.abs(shift[a] - shift[b]) + turns[a] + turns[b]
+            if path_length.max(initial=0.0) >= self._clearance:
                 return False
         if self._tips is None or max_abs(angles(change)) < NEAR:
             return True
@@ -115,13 +115,13 @@ class SupportEnds:
         The bodies of the kick are where the contacts, `passing`, pass; `motion`, (3 N,), are the
         velocities there [m/s, rad/s].
         """
-        known, rows, feet, ends = kick.contacts, [], [], []
-        direction = known.direction.view(complex)[:, 0].copy()
+        contacts, rows, feet, ends = kick.contacts, [], [], []
+        direction = contacts.direction.view(complex)[:, 0].copy()
         for one in {one.contact: one for one in passing}.values():
             foot = complex(
-                kick.pose.plane[one.bodies[0]] + one.foot * kick.pose.turned[one.bodies[0]]
+                kick.pose.position[one.bodies[0]] + one.foot * kick.pose.rotation[one.bodies[0]]
             )
-            own = int(known.bodies[one.contact, 0] != one.bodies[0])
+            own = int(contacts.bodies[one.contact, 0] != one.bodies[0])
             at_end = (one.leaves, one.leaves and one.extra_distance is not None)
             if one.leaves and self._sharp[list(one.bodies)].all():
                 normal, at_end = self._entered(kick, one, foot, motion), (True, False)
@@ -131,7 +131,7 @@ class SupportEnds:
             rows.append(one.contact)
             feet.append(foot + kick.joints.origin)
             ends.append(at_end[::-1] if own else at_end)
-        found = Contacts._make(field[rows] for field in known)
+        found = Contacts._make(field[rows] for field in contacts)
         points = found.points.copy()
         points[:, 0] = np.array(feet, dtype=complex).view(float).reshape(-1, 2)
         found = found._replace(
@@ -146,17 +146,19 @@ class SupportEnds:
 
         0 if it moves away from all its sides.
         """
-        plane, turned = kick.pose.plane, kick.pose.turned
-        velocity, spin = planes(motion), angles(motion)
+        position, rotation = kick.pose.position, kick.pose.rotation
+        velocity, spin = translations(motion), angles(motion)
         owner, other = (
-            velocity[body] + 1j * spin[body] * (foot - plane[body]) for body in one.bodies
+            velocity[body] + 1j * spin[body] * (foot - position[body]) for body in one.bodies
         )
         body = one.bodies[1]
-        goes = (owner - other) / turned[body]
-        sides = self._sides.at(body, complex((foot - plane[body]) / turned[body]))
-        ways = [(dot(1j * way * normal, goes), normal) for normal, _, way in sides]
-        fastest, normal = max(ways, key=lambda found: found[0], default=(0.0, 0j))
-        return complex(normal * turned[body]) if fastest > 0 else 0j
+        relative_path = (owner - other) / rotation[body]
+        sides = self._sides.at(body, complex((foot - position[body]) / rotation[body]))
+        speeds = [
+            (dot(1j * direction * normal, relative_path), normal) for normal, _, direction in sides
+        ]
+        fastest, normal = max(speeds, key=lambda found: found[0], default=(0.0, 0j))
+        return complex(normal * rotation[body]) if fastest > 0 else 0j
 
     def _all(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may pass an end in a drift, given a bound of their way [m]."""
@@ -177,8 +179,8 @@ class SupportEnds:
     def _leaving(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
         """Yield the contacts that may leave a side in a drift; see `_all`."""
         lying, sides = PointsOnSides.at(kick, self._sides), self._sides
-        for way, ends, until in ((-1, sides.begin, lying.begin), (1, sides.end, lying.end)):
-            left = lying.distance_left(way)
+        for direction, ends, until in ((-1, sides.begin, lying.begin), (1, sides.end, lying.end)):
+            left = lying.distance_left(direction)
             self._note(float(left.min()))
             for gap in np.flatnonzero((left > -NEAR) & (left < ahead)).tolist():
                 own, number = int(lying.side[gap]), int(lying.number[gap])
@@ -190,10 +192,12 @@ class SupportEnds:
                     gap,
                     (own, int(lying.other[gap])),
                     complex(sides.height[own, number], end) * normal,
-                    1j * way * normal,
+                    1j * direction * normal,
                     complex(lying.point[gap]),
                     leaves=True,
-                    extra_distance=way * (float(until[gap]) - end) if lying.flat[gap] else None,
+                    extra_distance=direction * (float(until[gap]) - end)
+                    if lying.flat[gap]
+                    else None,
                 )
 
     def _is_tip(self, body: int, point: complex) -> bool:
@@ -220,8 +224,8 @@ class SupportEnds:
         self, kick: Kick, ahead: float, passing: EndCrossing, tip: complex
     ) -> Iterator[EndCrossing]:
         """Yield a contact of a corner for each side that it may come onto; see `_all`."""
-        for normal, foot, way in self._sides.at(passing.bodies[0], tip):
-            one = passing._replace(foot=foot, direction=1j * way * normal)
+        for normal, foot, direction in self._sides.at(passing.bodies[0], tip):
+            one = passing._replace(foot=foot, direction=1j * direction * normal)
             left = one.distance_left(kick.pose)
             self._note(left)
             if -NEAR < left < ahead and dot(one.point_on_side(kick.pose) - foot, normal) > 0:
@@ -231,12 +235,12 @@ class SupportEnds:
         self, kick: Kick, ahead: float, passing: EndCrossing, line: Line
     ) -> Iterator[EndCrossing]:
         """Yield a contact for each end of an arc or a curve at which it may leave; see `_all`."""
-        for end, onwards in line.ends:
-            one = passing._replace(foot=end, direction=onwards, leaves=True)
-            left, way = one.distance_left(kick.pose), one.point_on_side(kick.pose) - end
+        for end, direction in line.ends:
+            one = passing._replace(foot=end, direction=direction, leaves=True)
+            left, offset = one.distance_left(kick.pose), one.point_on_side(kick.pose) - end
             self._note(abs(left))
-            out = 1j * onwards if dot(way, 1j * onwards) > 0 else -1j * onwards
-            bend = dot(way, out) - line.half - self._radius[one.bodies[1]]
+            out = 1j * direction if dot(offset, 1j * direction) > 0 else -1j * direction
+            bend = dot(offset, out) - line.half - self._radius[one.bodies[1]]
             if abs(bend) - NEAR < left < ahead:  # it is not on another stretch
                 yield one._replace(foot=end + out * line.half)
 
@@ -245,16 +249,16 @@ class SupportEnds:
         self._clearance = max(0.0, min(self._clearance, left))
 
 
-def _comes_down(kick: Kick, one: EndCrossing, there: Coordinates) -> bool:
+def _comes_down(kick: Kick, one: EndCrossing, end: Coordinates) -> bool:
     """Return whether a disc that turns about a corner overlaps the next side at some positions."""
     if one.leaves:
         return False
     depth = float(kick.contacts.depths.take(kick.layout.touching.number)[one.gap])
     reach = abs(kick.features.offset[one.gap]) + depth
-    return abs(dot(one.point_on_side(there) - one.foot, 1j * one.direction)) < reach
+    return abs(dot(one.point_on_side(end) - one.foot, 1j * one.direction)) < reach
 
 
-def _tips(kick: Kick) -> Plane:
+def _tips(kick: Kick) -> Complexes:
     """Return the contact points of the bodies opposite to sides, along their axes: (k,) [m]."""
     touching, features = kick.layout.touching, kick.features
     count = len(touching.pair)

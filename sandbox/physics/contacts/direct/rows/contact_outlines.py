@@ -6,8 +6,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.geometry.plane_curve import Course
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.geometry.plane_curve import MiddleLine
+from sandbox.physics.state.anchor import Complexes
 
 PARALLEL = 1e-6
 """rad, the largest angle between a side's normal and that of a contact on it."""
@@ -24,26 +24,26 @@ class Figure(NamedTuple):
     inner radius of a hollow body, else 0 [m]. `normals` are the unit normals of its sides,
     `corners` are the ends of these, and `center` is the centre of a disc, hoop or arc [m], all
     along its axes. `rounding` is the radius of its corners or ends [m]; `ends` tells whether it is
-    an arc with ends. `course` is the shape of a curve; else None.
+    an arc with ends. `middle_line` is the shape of a curve; else None.
     """
 
     radius: float
-    normals: Plane
-    corners: Plane
+    normals: Complexes
+    corners: Complexes
     rounding: float
     inner: float = 0.0
     center: complex = 0j
     ends: bool = False
-    course: Course | None = None
+    middle_line: MiddleLine | None = None
 
 
 class Figures:
     """The outlines of n bodies, as tables.
 
     `radius`, `rounding`, `inner`, `center` and `ends`, (n,), are as of a `Figure`, and `corners`,
-    (n, most of them), too, padded with infinity. `courses` are the shapes of curves, by the indices
-    of their bodies. `convex`, (n,), tells whether a body consists of discs and straight sides
-    alone, seen from outside.
+    (n, most of them), too, padded with infinity. `middle_lines` are the shapes of curves, by the
+    indices of their bodies. `convex`, (n,), tells whether a body consists of discs and straight
+    sides alone, seen from outside.
 
     `thick` tells whether any body has rounded corners or ends that are not sharp; `plain`, whether
     all round bodies are full circles about their bodies' centres; `hollow`, whether any body can be
@@ -59,8 +59,10 @@ class Figures:
         self.thick = bool((self.rounding > SHARP).any())
         self.hollow = bool((self.inner > 0).any())
         self.plain = not (self.center.any() or self.ends.any())
-        self.convex: Booleans = ~np.array([bool(f.ends or f.course) for f in figures], dtype=bool)
-        self.courses = {row: f.course for row, f in enumerate(figures) if f.course}
+        self.convex: Booleans = ~np.array(
+            [bool(f.ends or f.middle_line) for f in figures], dtype=bool
+        )
+        self.middle_lines = {row: f.middle_line for row, f in enumerate(figures) if f.middle_line}
         self._normals = _padded([figure.normals for figure in figures])
         self.corners = _padded([figure.corners for figure in figures])
         self._sided = np.array([len(figure.normals) > 0 for figure in figures], dtype=bool)
@@ -96,11 +98,11 @@ class Outlines(NamedTuple):
     radius: Array
     rounding: Array
     inner: Array
-    normals: Plane
+    normals: Complexes
     sharp: Booleans
     sided: bool
 
-    def sides(self, direction: Plane) -> tuple[Plane, Array]:
+    def sides(self, direction: Complexes) -> tuple[Complexes, Array]:
         """Return the normals that are nearest to directions, along their own axes: (2, k).
 
         Also how far they are off, (2, k) [rad]: infinity where there are no sides.
@@ -112,21 +114,23 @@ class Outlines(NamedTuple):
         normals, off = (np.take_along_axis(of, nearest, -1)[..., 0] for of in (self.normals, off))
         return normals, off.real
 
-    def from_corners(self, points: Plane) -> Array:
+    def from_corners(self, points: Complexes) -> Array:
         """Return how far points are from the nearest corner, along their own axes: (2, k) [m]."""
         rounding = self.rounding[..., None]
         off = np.abs(self.figures.corners[self.body] - points[..., None]) - rounding
         return np.asarray(np.abs(off).min(axis=-1))
 
-    def round(self, where: Plane, turned: Plane, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
+    def round(
+        self, where: Complexes, rotation: Complexes, n: Complexes, middle: Complexes
+    ) -> tuple[Booleans, Complexes]:
         """Return whether they are round at the contact points, and their centres: (2, k).
 
-        `where` and `turned`, (2, k), are the positions of the bodies, and their rotations as unit
+        `where` and `rotation`, (2, k), are the positions of the bodies, and their rotations as unit
         complex numbers; `n` and `middle`, (k,), are the normals and the contact points.
         """
         if self.figures.plain:
             return self.rounds, where
-        center = where + self.figures.center[self.body] * turned
+        center = where + self.figures.center[self.body] * rotation
         out = middle - center
         is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
         return self.rounds & ~(self.figures.ends[self.body] & is_end), center
@@ -138,7 +142,7 @@ class Outlines(NamedTuple):
         return np.where(is_round, radius, ends)
 
 
-def _padded(rows: list[Plane]) -> Plane:
+def _padded(rows: list[Complexes]) -> Complexes:
     """Return rows of different lengths, one at least, as a table padded with infinity."""
     table = np.full((len(rows), max([1, *map(len, rows)])), np.inf, dtype=complex)
     for row, known in zip(table, rows, strict=True):

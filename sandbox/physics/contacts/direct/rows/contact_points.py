@@ -57,11 +57,11 @@ class ContactPoints(NamedTuple):
 
     @classmethod
     def between(
-        cls, contacts: Contacts, has_friction: Booleans, figures: Figures, moves: Booleans
+        cls, contacts: Contacts, has_friction: Booleans, figures: Figures, movable: Booleans
     ) -> "ContactPoints":
         """Return the points of contacts: the first points of all contacts, then the second ones.
 
-        `has_friction`, (c,), tells which contacts have friction, and `moves`, (n,), which bodies
+        `has_friction`, (c,), tells which contacts have friction, and `movable`, (n,), which bodies
         are dynamic; `figures` are the outlines of all bodies.
         """
         count, two = len(contacts.bodies), np.flatnonzero(contacts.touches == 2)
@@ -69,8 +69,8 @@ class ContactPoints(NamedTuple):
         point = np.repeat((0, 1), (count, len(two)))
         bodies, rubbing = contacts.bodies[pair].T.copy(), np.flatnonzero(has_friction)
         rows = np.concatenate((np.arange(len(pair)), rubbing))
-        held, everything = bodies[:, rows], figures.of(bodies)
-        into, yields = _into(held, len(moves) + 1), moves[bodies[0]] & ~moves[bodies[1]]
+        row_bodies, everything = bodies[:, rows], figures.of(bodies)
+        into, yields = _into(row_bodies, len(movable) + 1), movable[bodies[0]] & ~movable[bodies[1]]
         return cls(
             bodies,
             pair,
@@ -78,7 +78,7 @@ class ContactPoints(NamedTuple):
             2 * pair + point,
             rubbing,
             rows,
-            held,
+            row_bodies,
             into,
             figures,
             everything,

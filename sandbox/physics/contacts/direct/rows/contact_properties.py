@@ -16,9 +16,9 @@ from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN, INSET
 from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.geometry.curve_contacts import course_of
+from sandbox.physics.geometry.curve_contacts import middle_line_of
 from sandbox.physics.geometry.outline_distance import surfaces
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 SLOP = 1e-7
 """m, the default overlap that is left alone: it is larger than `PROUD`, so that bodies stay in
@@ -28,7 +28,7 @@ CORRECTION = 0.5
 """The default share of an overlap that a step removes. It may be large, since the velocities stay
 unchanged, but bodies that overlap deeply at the start should not jump apart."""
 
-NONE: Plane = np.zeros(0, dtype=complex)
+NONE: Complexes = np.zeros(0, dtype=complex)
 
 
 def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> Surfaces:
@@ -95,8 +95,8 @@ def _figure(spec: Body, values: Values) -> Figure:
                 ends=True,
             )
         case Curve(thickness=thickness) as curve:
-            half, course = thickness(values) / 2, course_of(curve, values)
-            return Figure(0.0, NONE, NONE, half, course=course)
+            half, middle_line = thickness(values) / 2, middle_line_of(curve, values)
+            return Figure(0.0, NONE, NONE, half, middle_line=middle_line)
         case Segment(thickness=thickness) | Polyline(thickness=thickness):
             points = np.array([complex(*point) for point in local_points(spec, values)])
             both = np.concatenate((sides := np.diff(points), -sides))
@@ -108,6 +108,6 @@ def _figure(spec: Body, values: Values) -> Figure:
     return Figure(0.0, _normals(sides * np.sign(around)), corners, rounding)
 
 
-def _normals(sides: Plane) -> Plane:
+def _normals(sides: Complexes) -> Complexes:
     """Return the unit normals to the right of sides: outward for a counter-clockwise outline."""
     return np.asarray(-1j * sides / np.abs(sides))

@@ -19,8 +19,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.rows.contact_outlines import Figures
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.outline_distance import dot
-from sandbox.physics.geometry.plane_curve import Course, CurvePoint
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.geometry.plane_curve import CurvePoint, MiddleLine
+from sandbox.physics.state.anchor import Complexes
 
 ACROSS = 1e-7
 """m, how far beyond its end a curve still counts as touched from the side, and not at its end."""
@@ -47,16 +47,16 @@ class CurveContact:
     """A contact point on a curve.
 
     `point` is the index of the contact point. `curve` and `other` are the bodies; `sign` is 1 if
-    the curve is the first of the two, else −1. `course` is the shape of the curve, and `foot` is F
-    at the beginning of the drift; `hand` is h above, and `start` is δ0 [m]. `radius` is that of the
-    disc, or of the corner [m].
+    the curve is the first of the two, else −1. `middle_line` is the shape of the curve, and `foot`
+    is F at the beginning of the drift; `hand` is h above, and `start` is δ0 [m]. `radius` is that
+    of the disc, or of the corner [m].
     """
 
     point: int
     curve: int
     other: int
     sign: int
-    course: Course
+    middle_line: MiddleLine
     foot: CurvePoint
     hand: int
     start: float
@@ -64,13 +64,13 @@ class CurveContact:
 
     def evaluate(self, position: complex) -> FollowedContact:
         """Return the contact with P at a place, along the axes of the curve's body."""
-        first, foot = self.foot, self.course.foot_point_near(position, self.foot.parameter)
+        first, foot = self.foot, self.middle_line.foot_point_near(position, self.foot.parameter)
         left = 1j * foot.tangent
         apart = dot(position - foot.point, left)
-        turned = phase(foot.tangent / first.tangent)
-        way = self.course.length(first.parameter, foot.parameter) - self.start * turned
+        rotation = phase(foot.tangent / first.tangent)
+        offset = self.middle_line.length(first.parameter, foot.parameter) - self.start * rotation
         fraction = (1 - foot.curvature * self.start) / (1 - foot.curvature * apart)
-        return FollowedContact(self.hand * apart, -self.hand * way, self.hand * left, fraction)
+        return FollowedContact(self.hand * apart, -self.hand * offset, self.hand * left, fraction)
 
     @property
     def center(self) -> complex:
@@ -86,9 +86,9 @@ class CurveContact:
 def on_curves(
     figures: Figures,
     bodies: Integers,
-    normal: Plane,
-    points: Plane,
-    placed: tuple[Plane, Plane],
+    normal: Complexes,
+    points: Complexes,
+    placed: tuple[Complexes, Complexes],
 ) -> Iterator[CurveContact]:
     """Yield the contact points on curves, but for their ends, which count as discs.
 
@@ -96,10 +96,10 @@ def on_curves(
     second, and `points`, (2, k), are those on the first and on the second [m]. `placed` has the
     positions of all bodies, and their rotations as unit complex numbers, (n,) each.
     """
-    pairs = bodies.T.tolist() if figures.courses else ()
+    pairs = bodies.T.tolist() if figures.middle_lines else ()
     for point, (a, b) in enumerate(pairs):
         for curve, other, sign in ((a, b, 1), (b, a, -1)):
-            if course := figures.courses.get(curve):
+            if middle_line := figures.middle_lines.get(curve):
                 out = complex(normal[point]) * sign
                 on_curve, position = (complex(side[point]) for side in points[::sign])
                 if radius := figures.radius[other]:
@@ -107,31 +107,35 @@ def on_curves(
                 else:
                     radius = figures.rounding[other]
                     position += out * radius
-                where, turned = (complex(values[curve]) for values in placed)
-                touched, at = (on_curve - where) / turned, (position - where) / turned
-                near = course.foot_point(touched) or _end(course, touched, figures.rounding[curve])
+                where, rotation = (complex(values[curve]) for values in placed)
+                touched, at = (on_curve - where) / rotation, (position - where) / rotation
+                near = middle_line.foot_point(touched) or _end(
+                    middle_line, touched, figures.rounding[curve]
+                )
                 if near:
-                    foot = course.foot_point_near(at, near.parameter)
+                    foot = middle_line.foot_point_near(at, near.parameter)
                     left = 1j * foot.tangent
-                    hand = 1 if dot(out / turned, left) >= 0 else -1
+                    hand = 1 if dot(out / rotation, left) >= 0 else -1
                     start = dot(at - foot.point, left)
-                    yield CurveContact(point, curve, other, sign, course, foot, hand, start, radius)
+                    yield CurveContact(
+                        point, curve, other, sign, middle_line, foot, hand, start, radius
+                    )
 
 
-def _end(course: Course, point: complex, half: float) -> CurvePoint | None:
+def _end(middle_line: MiddleLine, point: complex, half: float) -> CurvePoint | None:
     """Return the end of a curve, half as thick, that a point is across; None if it is beyond."""
-    for end in course.ends:
-        way = point - end.point
-        if abs(dot(way, end.tangent)) < ACROSS and abs(way) < half + ACROSS:
+    for end in middle_line.ends:
+        offset = point - end.point
+        if abs(dot(offset, end.tangent)) < ACROSS and abs(offset) < half + ACROSS:
             return end
     return None
 
 
 def follow_curves(
     curved: Sequence[CurveContact],
-    placed: tuple[Plane, Plane],
-    arms: Plane,
-    rows: tuple[Array, Array, Plane, Plane],
+    placed: tuple[Complexes, Complexes],
+    arms: Complexes,
+    rows: tuple[Array, Array, Complexes, Complexes],
 ) -> None:
     """Set the rows of contact points on curves.
 
@@ -140,12 +144,12 @@ def follow_curves(
     """
     gap, slip, along, across = rows
     for one in curved:
-        where, turned = placed[0], complex(placed[1][one.curve])
+        where, rotation = placed[0], complex(placed[1][one.curve])
         own, other = arms[:: one.sign]
         way = complex(where[one.other] + other[one.point] - where[one.curve])
-        found = one.evaluate(way / turned)
+        found = one.evaluate(way / rotation)
         gap[one.point], slip[one.point] = found.gap, found.slip
-        along[one.point] = one.sign * found.normal * turned
+        along[one.point] = one.sign * found.normal * rotation
         across[one.point] = 1j * along[one.point] * found.fraction
         own[one.point] = way
 

@@ -34,7 +34,7 @@ from sandbox.physics.contacts.direct.rows.curve_contacts import (
 )
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Plane
+from sandbox.physics.state.anchor import Complexes
 
 OUT = -FROM_TO
 """The sign of the direction from each of the two bodies to the other."""
@@ -83,15 +83,15 @@ class Features:
     """
 
     touching: ContactPoints
-    points: Plane
+    points: Complexes
     side: Integers
-    normal: Plane
+    normal: Complexes
     is_owner: Array
     rounds: slice | Integers | None
     sign: Array
     rolls: Array
     circles: Array
-    offset: Plane
+    offset: Complexes
     curved: tuple[CurveContact, ...] = ()
     corners: Booleans | None = None
 
@@ -100,43 +100,43 @@ class Features:
 
         Entries of the Jacobian that are 0 are not written.
         """
-        held, count = self.touching.row_bodies, len(self.offset)
-        turned, plane = pose.turned, pose.plane
-        arms = self.points * turned.take(held)
-        ends = plane.take(held) + arms
+        row_bodies, count, rotations = self.touching.row_bodies, len(self.offset), pose.rotation
+        arms = self.points * rotations.take(row_bodies)
+        ends = pose.position.take(row_bodies) + arms
         d = ends[1] - ends[0]
-        ways = self.normal * turned.take(self.side)
-        beside = ways.conj() * d  # along the normal, and along the side
+        axes = self.normal * rotations.take(self.side)
+        beside = axes.conj() * d  # along the normal, and along the side
         if self.rounds is not None or self.curved:
-            self._bend(pose, arms, d[:count], ways, beside)
+            self._bend(pose, arms, d[:count], axes, beside)
         total[:] = beside.real
-        way = FROM_TO * ways
-        spin = (way * arms.conj()).imag
+        signed = FROM_TO * axes
+        spin = (signed * arms.conj()).imag
         spin += self.is_owner * beside.imag
-        if len(held[0]) > count:
-            rolled = self.rolls * pose.angle.take(held[:, count:])
+        if len(row_bodies[0]) > count:
+            rolled = self.rolls * pose.angle.take(row_bodies[:, count:])
             total[count:] += rolled[0]
             total[count:] += rolled[1]
             spin[:, count:] += self.rolls
-        in_plane, in_angle = self.touching.jacobian_indices
-        flat = jacobian.reshape(-1)
-        flat[in_plane], flat[in_angle] = way.view(float), spin
+        flat, (in_plane, in_angle) = jacobian.reshape(-1), self.touching.jacobian_indices
+        flat[in_plane], flat[in_angle] = signed.view(float), spin
 
-    def _bend(self, pose: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
+    def _bend(
+        self, pose: Coordinates, arms: Complexes, d: Complexes, axes: Complexes, beside: Complexes
+    ) -> None:
         """Correct the rows of discs and curves, for which normals turn; see `evaluate`."""
         rubs, count = self.touching.friction_points, len(d)
-        along, across = ways[:count], 1j * ways[:count]
+        along, across = axes[:count], 1j * axes[:count]
         rows = gap, slip, _, _ = beside.real[:count], beside.imag[:count], along, across
         if self.rounds is not None:
             self._of_round(d, rows)
         if self.curved:
-            follow_curves(self.curved, (pose.plane, pose.turned), arms[:, :count], rows)
+            follow_curves(self.curved, (pose.position, pose.rotation), arms[:, :count], rows)
             arms[:, count:] = arms[:, rubs]
         if len(rubs):
             beside.real[count:], beside.imag[count:] = slip.take(rubs), -gap.take(rubs)
-            ways[count:] = across.take(rubs)
+            axes[count:] = across.take(rubs)
 
-    def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
+    def _of_round(self, d: Complexes, rows: tuple[Array, Array, Complexes, Complexes]) -> None:
         """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""
         gap, slip, along, across = rows
         rounds, sign = self.rounds, self.sign
@@ -146,21 +146,21 @@ class Features:
         gap[rounds], along[rounds] = sign * size, sign * d / size
         if len(self.touching.friction_points):
             apart = _directed(self.offset[rounds], normal)
-            first, turned = np.abs(apart), d / apart
-            slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
+            first, direction = np.abs(apart), d / apart
+            slip[rounds] = sign * first * np.arctan2(direction.imag, direction.real)
             across[rounds] = 1j * along[rounds] * (first / size)
 
     def moved(self, pose: Coordinates) -> "Features":
         """Return the same contact points for a drift that begins at other positions."""
-        there, held, rubs = copy(self), self.touching.row_bodies, self.touching.friction_points
-        points = pose.plane[held] + self.points * pose.turned[held]
+        moved, bodies, rubs = copy(self), self.touching.row_bodies, self.touching.friction_points
+        points = pose.position[bodies] + self.points * pose.rotation[bodies]
         first, second = points[:, : len(self.offset)]
-        there.offset = second - first
-        there.rolls = _to_the_middle(self.rolls, self.circles, there.offset[rubs])
-        return there
+        moved.offset = second - first
+        moved.rolls = _to_the_middle(self.rolls, self.circles, moved.offset[rubs])
+        return moved
 
 
-def _directed(d: Plane, normal: Plane) -> Plane:
+def _directed(d: Complexes, normal: Complexes) -> Complexes:
     """Return the vectors between centres, with a direction where they coincide."""
     return d if d.all() else np.where(d == 0, NEAR * normal, d)
 
@@ -181,11 +181,11 @@ def features(
     middle = np.ascontiguousarray(contacts.points).view(complex).take(number) - origin
     out = OUT * n  # of each body
     surfaces = middle + out * (contacts.depths.take(number) / 2)
-    where, turned = pose.plane.take(bodies), pose.turned.take(bodies)
-    is_round, center = outlines.round(where, turned, n, middle)
-    back = turned.conj()
-    owns, normals = _owners(touching, out * back, (surfaces - where) * back)
-    curved = tuple(on_curves(figures, bodies, n, surfaces, (pose.plane, pose.turned)))
+    where, rotation = pose.position.take(bodies), pose.rotation.take(bodies)
+    is_round, center = outlines.round(where, rotation, n, middle)
+    back = rotation.conj()
+    owns, normals = _owns(touching, out * back, (surfaces - where) * back)
+    curved = tuple(on_curves(figures, bodies, n, surfaces, (pose.position, pose.rotation)))
     if (ends := touching.ends) is not None:
         is_round = is_round & ~ends
         curved = tuple(one for one in curved if not ends[int(one.sign < 0), one.point])
@@ -218,7 +218,7 @@ def features(
     )
 
 
-def _owners(touching: ContactPoints, out: Plane, points: Plane) -> tuple[Booleans, Plane]:
+def _owns(touching: ContactPoints, out: Complexes, points: Complexes) -> tuple[Booleans, Complexes]:
     """Return which body has the side: (2, k), at most one of the two at each point.
 
     `out`, (2, k), is the direction from each body to the other, and `points`, (2, k), are the
@@ -246,9 +246,9 @@ def _with_curves(
     curved: Sequence[CurveContact],
     pose: Coordinates,
     is_round: Booleans,
-    center: Plane,
+    center: Complexes,
     owns: Booleans,
-) -> tuple[Booleans, Plane]:
+) -> tuple[Booleans, Complexes]:
     """Return which points are on discs, and the centres, with curves as discs: (2, k) each.
 
     The normal is that of a curve, if it bends there, and not that of a side of the other body.
@@ -258,7 +258,7 @@ def _with_curves(
     is_round, center = is_round.copy(), center.copy()
     for one in curved:
         own = int(one.sign < 0)
-        center[own, one.point] = pose.plane[one.curve] + pose.turned[one.curve] * one.center
+        center[own, one.point] = pose.position[one.curve] + pose.rotation[one.curve] * one.center
         is_round[own, one.point] = True
         owns[1 - own, one.point] &= one.arched
     return is_round, center
@@ -337,7 +337,7 @@ def _circles(sign: Array | None, curved: Sequence[CurveContact], rubs: Integers)
     return circles.take(rubs)
 
 
-def _to_the_middle(rolls: Array, circles: Array, apart: Plane) -> Array:
+def _to_the_middle(rolls: Array, circles: Array, apart: Complexes) -> Array:
     """Return radii that end midway in the gap or overlap: (2, f) [m].
 
     Friction then acts on both bodies at one point, and leaves their angular momentum as it is. For

@@ -16,9 +16,9 @@ from sandbox.physics.joints.exact.constraint_interface import (
     Rows,
     angles,
     blur,
-    planes,
+    translations,
 )
-from sandbox.physics.joints.exact.joint_system import Course
+from sandbox.physics.joints.exact.joint_system import KeptLengths
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
 
 PROUD = 1e-9
@@ -52,7 +52,7 @@ class Kick:
         (r, 3 N), the velocity changes by a unit impulse of each row: J M⁻¹.
     belt_slip
         (f,), the slip velocities of running surfaces, such as belts [m/s].
-    course
+    kept_lengths
         The lengths that joints keep before and after the drift, and the time of the kick.
     closing_count
         How many of the contacts, the last ones, are still open, and close within the drift.
@@ -66,7 +66,7 @@ class Kick:
     rows_at_start: Rows
     response: Array
     belt_slip: Array
-    course: Course
+    kept_lengths: KeptLengths
     closing_count: int = 0
 
     @classmethod
@@ -77,28 +77,28 @@ class Kick:
         contacts: Contacts,
         layout: Layout,
         running: Array,
-        course: Course,
+        kept_lengths: KeptLengths,
         closes: int = 0,
     ) -> "Kick":
-        """Return the system at a place.
+        """Return the system at given positions.
 
         `running`, (n, 2), are the velocities of running surfaces relative to their bodies [m/s];
-        `course` are the lengths that joints keep before and after the drift.
+        `kept_lengths` are the lengths that joints keep before and after the drift.
         The last `closing_count` contacts close only within the drift.
         """
         found = features(contacts, layout.touching, pose, joints.origin)
-        here = rows_at(pose, joints, found)
-        response, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
+        rows = rows_at(pose, joints, found)
+        response, runs = rows.jacobian * joints.inverse, _runs(contacts, layout, running)
         return cls(
             joints,
             contacts,
             layout,
             found,
             pose,
-            here,
+            rows,
             response,
             runs,
-            course,
+            kept_lengths,
             closing_count=closes,
         )
 
@@ -129,44 +129,44 @@ class Kick:
         """Return the contacts that are still to close at other positions."""
         if not self.closing_count:
             return NO_CONTACTS
-        there, count = self.carried(pose), len(self.contacts.bodies) - self.closing_count
-        opened = np.asarray(~_shut_points(there).any(axis=1))
+        moved, count = self.carried(pose), len(self.contacts.bodies) - self.closing_count
+        opened = np.asarray(~_shut_points(moved).any(axis=1))
         opened[:count] = False
-        return Contacts._make(field[opened] for field in there)
+        return Contacts._make(field[opened] for field in moved)
 
     def carried(self, pose: Coordinates) -> Contacts:
         """Return the contacts at other positions.
 
         Contact points move with their corner or disc, and along their side.
         """
-        there, touching = self.at_pose(pose), self.layout.touching
+        moved, touching = self.at_pose(pose), self.layout.touching
         each = np.arange(len(touching.pair))
         guest = (self.features.side[each] == touching.bodies[0]).astype(np.intp)
         body, sense = touching.bodies[guest, each], 1 - 2 * guest
         arm = self.features.points[guest, each]
-        first, last = (at.plane[body] + arm * at.turned[body] for at in (self.pose, pose))
+        first, last = (at.position[body] + arm * at.rotation[body] for at in (self.pose, pose))
         old, new = (
-            kick.contacts.direction.view(complex).take(touching.pair) for kick in (self, there)
+            kick.contacts.direction.view(complex).take(touching.pair) for kick in (self, moved)
         )
         points = np.ascontiguousarray(self.contacts.points).view(complex)[..., 0].copy()
         depths, number, origin = self.contacts.depths.copy(), touching.number, self.joints.origin
         depth = depths.take(number)
         tip = points.take(number) - origin + sense * old * depth / 2
-        depth -= (there.rows_at_start.total - self.rows_at_start.total)[self.layout.gaps]
+        depth -= (moved.rows_at_start.total - self.rows_at_start.total)[self.layout.gaps]
         tip = last + (tip - first) * (new / old)
         points.reshape(-1)[number] = tip - sense * new * depth / 2 + origin
         depths.reshape(-1)[number] = depth
-        return there.contacts._replace(
+        return moved.contacts._replace(
             points=np.stack((points.real, points.imag), 2), depths=depths
         )
 
-    def between(self, pose: Coordinates, course: Course) -> "Kick":
+    def between(self, pose: Coordinates, kept_lengths: KeptLengths) -> "Kick":
         """Return the system at other positions, for a drift between other lengths of the joints."""
-        return self.at_pose(pose).before_drift(course)
+        return self.at_pose(pose).before_drift(kept_lengths)
 
-    def before_drift(self, course: Course) -> "Kick":
+    def before_drift(self, kept_lengths: KeptLengths) -> "Kick":
         """Return the same before a drift between other lengths of the joints."""
-        return replace(self, course=course)
+        return replace(self, kept_lengths=kept_lengths)
 
     def with_tilt_friction(self, velocity: Array, forces: Array) -> "Kick | None":
         """Return the system with the friction of tilting sides at the point that bears the load.
@@ -192,9 +192,9 @@ class Kick:
 
     def _on(self, found: Features, pose: Coordinates) -> "Kick":
         """Return the system with other contact points, or at other positions."""
-        here = rows_at(pose, self.joints, found)
-        response = here.jacobian * self.joints.inverse
-        return replace(self, features=found, pose=pose, rows_at_start=here, response=response)
+        rows = rows_at(pose, self.joints, found)
+        response = rows.jacobian * self.joints.inverse
+        return replace(self, features=found, pose=pose, rows_at_start=rows, response=response)
 
     def rows(self, displacement: Array) -> Rows:
         """Return the rows after a displacement, (3 N,); see `rows_at`."""
@@ -202,16 +202,20 @@ class Kick:
 
     def flat_rows(self, displacement: Array) -> Rows:
         """Return the same, with contacts linearized in the displacement."""
-        here, there, touch = self.rows_at_start, self.rows(displacement), self.layout.touch
-        total, jacobian = there.total.copy(), there.jacobian.copy()
-        total[touch] = here.total[touch] + here.jacobian[touch] @ displacement
-        jacobian[touch] = here.jacobian[touch]
+        rows_at_start, rows_at_end, touch = (
+            self.rows_at_start,
+            self.rows(displacement),
+            self.layout.touch,
+        )
+        total, jacobian = rows_at_end.total.copy(), rows_at_end.jacobian.copy()
+        total[touch] = rows_at_start.total[touch] + rows_at_start.jacobian[touch] @ displacement
+        jacobian[touch] = rows_at_start.jacobian[touch]
         return Rows(total, jacobian)
 
     def targets(self) -> Array:
         """Return the target values of the rows after the drift: (r,)."""
         wanted = self.rows_at_start.total.copy()
-        wanted[self.layout.joints] = -self.course.after
+        wanted[self.layout.joints] = -self.kept_lengths.after
         wanted[self.layout.slips] -= self.joints.drift * self.belt_slip
         if self.closing_count:
             closed = self.contacts.depths.take(self.layout.touching.number) - PROUD
@@ -229,14 +233,14 @@ class Kick:
     @property
     def slack(self) -> Booleans:
         """Which one-sided joints are slack, or not reached: (m,)."""
-        gap = self.rows_at_start.total[self.layout.joints] + self.course.before
+        gap = self.rows_at_start.total[self.layout.joints] + self.kept_lengths.before
         return np.asarray(self.joints.pulls_only & (gap > TAUT + QUADRATIC))
 
     @cached_property
     def acts(self) -> Booleans:
         """Which bodies each row acts on: (r, n)."""
-        moved = (planes(self.response) != 0) | (angles(self.response) != 0)
-        return np.asarray(moved[:, :-1])
+        acts = (translations(self.response) != 0) | (angles(self.response) != 0)
+        return np.asarray(acts[:, :-1])
 
     @cached_property
     def velocity_rounding(self) -> float:
@@ -245,7 +249,7 @@ class Kick:
 
     def joint_rates(self) -> Array:
         """Return the mean rates of the lengths that joints keep in the drift: (m,) [m/s, rad/s]."""
-        return np.asarray((self.course.after - self.course.before) / self.joints.drift)
+        return np.asarray((self.kept_lengths.after - self.kept_lengths.before) / self.joints.drift)
 
     def rates_now(self) -> Array:
         """Return the rates of these lengths at the time of the kick: (m,) [m/s, rad/s].
@@ -253,7 +257,7 @@ class Kick:
         An impact is at that instant: with the mean rates of the drift after it, what a motor of
         changing rate drives would bounce with an error of first order.
         """
-        return self.joints.equations.rates(self.course.t)
+        return self.joints.equations.rates(self.kept_lengths.t)
 
     def wrenches(self, impulse: Array, body: int) -> Array:
         """Return the impulses on a body by each contact: (2, k, 3) [N s, N m s].
@@ -262,10 +266,10 @@ class Kick:
         """
         layout, touching = self.layout, self.layout.touching
         columns = [2 * body, 2 * body + 1, len(self.pose.values) // 3 * 2 + body]
-        given = impulse[:, None] * self.rows_at_start.jacobian[:, columns]
+        impulses = impulse[:, None] * self.rows_at_start.jacobian[:, columns]
         found = np.zeros((2, len(self.contacts.bodies), 3))
-        np.add.at(found[0], touching.pair, given[layout.gaps])
-        found[1, touching.friction_points] = given[layout.slips]
+        np.add.at(found[0], touching.pair, impulses[layout.gaps])
+        found[1, touching.friction_points] = impulses[layout.slips]
         return found
 
     def contacts_with(self, impulse: Array) -> Contacts:
@@ -306,9 +310,9 @@ def rows_at(pose: Coordinates, joints: ExactJoints, found: Features) -> Rows:
     total, jacobian = np.empty(count), np.zeros((count, len(pose.values)))
     found.evaluate(pose, total[first:], jacobian[first:])
     if first:
-        held = joints.evaluate(pose)
-        np.negative(held.total, out=total[:first])
-        np.negative(held.jacobian, out=jacobian[:first])
+        joint_rows = joints.evaluate(pose)
+        np.negative(joint_rows.total, out=total[:first])
+        np.negative(joint_rows.jacobian, out=jacobian[:first])
     return Rows(total, jacobian)
 
 

@@ -151,15 +151,19 @@ class Layout:
         return self.asking(self.problem._replace(friction=NO_FRICTION))
 
 
-def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> Layout:
+def lay_out(
+    contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, movable: Booleans
+) -> Layout:
     """Return the rows of joints and contacts; the two points of a side share one row of friction.
 
-    `moves`, (n,), tells which bodies are dynamic. Raises `SystemTooLarge` if there are more rows
+    `movable`, (n,), tells which bodies are dynamic. Raises `SystemTooLarge` if there are more rows
     than a step can solve.
     """
     first, count = len(joints.pulls_only), len(contacts.bodies)
     slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
-    touching = ContactPoints.between(contacts, (slips > 0) | (static > 0), surfaces.figures, moves)
+    touching = ContactPoints.between(
+        contacts, (slips > 0) | (static > 0), surfaces.figures, movable
+    )
     pair, rubs, (a, b) = touching.pair, touching.friction_points, touching.bodies
     contact = _points_of(rubs, pair[count:], count)
     contact = np.where(contact >= 0, contact + first, -1)
@@ -171,7 +175,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     row = np.arange(gaps.stop, whole)
     friction = Friction(row, contact, static[rubs], slips[rubs])
     touch = contacts.bodies[pair]
-    found = islands([*joints.bodies, *touch, *touch[rubs]], moves)
+    found = islands([*joints.bodies, *touch, *touch[rubs]], movable)
     problem = Problem(free, pushes, friction, _alike(joints.alike, whole))
     parts = [_part(problem, rows, rows[rows >= gaps.stop] - gaps.stop) for rows in found]
     _refuse_large(parts, touching)
@@ -183,7 +187,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
         slice(first),
         gaps,
         slice(gaps.stop, whole),
-        *_joined(touch.tolist(), joints, moves),
+        *_joined(touch.tolist(), joints, movable),
         surfaces.in_sequence,
     )
 
@@ -194,8 +198,8 @@ class Layouts:
     For the arguments see `lay_out`.
     """
 
-    def __init__(self, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> None:
-        self._joints, self._surfaces, self._moves = joints, surfaces, moves
+    def __init__(self, joints: ExactJoints, surfaces: Surfaces, movable: Booleans) -> None:
+        self._joints, self._surfaces, self._moves = joints, surfaces, movable
         self._last: tuple[Contacts, int, Layout] | None = None
 
     def forget(self) -> None:
@@ -225,14 +229,16 @@ def _equal(one: Integers, other: Integers) -> bool:
 
 
 def _joined(
-    touch: Sequence[Sequence[int]], joints: ExactJoints, moves: Booleans
+    touch: Sequence[Sequence[int]], joints: ExactJoints, movable: Booleans
 ) -> tuple[Integers, Integers]:
     """Return the pairs of touching bodies that share a joint, and the rows of such joints."""
-    still = {-1, len(moves), *np.flatnonzero(~moves).tolist()}  # with the plane
+    still = {-1, len(movable), *np.flatnonzero(~movable).tolist()}  # with the plane
     pairs = [frozenset(pair) - still for pair in touch]
-    held = [frozenset(bodies.tolist()) - still for bodies in joints.bodies]
-    rows = [row for row in np.flatnonzero(~joints.pulls_only).tolist() if held[row] in pairs]
-    tied = {held[row] for row in rows}
+    bodies_of_joint = [frozenset(bodies.tolist()) - still for bodies in joints.bodies]
+    rows = [
+        row for row in np.flatnonzero(~joints.pulls_only).tolist() if bodies_of_joint[row] in pairs
+    ]
+    tied = {bodies_of_joint[row] for row in rows}
     gaps = [gap for gap, pair in enumerate(pairs) if pair in tied]
     return np.array(gaps, dtype=np.intp), np.array(rows, dtype=np.intp)
 

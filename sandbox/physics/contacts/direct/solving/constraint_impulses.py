@@ -52,9 +52,9 @@ def hold(
     if found is None:
         return _found(kick, kick.layout, motion, guess, driven=driven, placed=placed)
     rest, decided = found
-    held = _found(kick, rest, motion, guess, driven=driven, placed=placed)
-    check_held(kick, decided, held.velocity)
-    return held
+    solution = _found(kick, rest, motion, guess, driven=driven, placed=placed)
+    check_held(kick, decided, solution.velocity)
+    return solution
 
 
 def _found(
@@ -87,9 +87,9 @@ def _found(
         if found is None or grown:
             raise
         return found
-    held = kick.layout.joints
-    if held.stop and not driven:
-        work = (flat.impulse * (kick.rows_at_start.jacobian @ (motion + flat.velocity)))[held]
+    joint_rows = kick.layout.joints
+    if joint_rows.stop and not driven:
+        work = (flat.impulse * (kick.rows_at_start.jacobian @ (motion + flat.velocity)))[joint_rows]
         joints.refuse_gain(motion, flat.velocity, work)
     return flat
 
@@ -99,16 +99,16 @@ def _grows(kick: Kick, motion: Array, found: ConstraintImpulses, energy: float) 
 
     `energy` is the kinetic energy without impulses [J].
     """
-    impulse, moved, *_ = found
+    impulse, velocity, *_ = found
     joints, jacobian, layout = kick.joints, kick.rows_at_start.jacobian, kick.layout
-    grown = joints.kinetic_energy(moved) - GROWS * energy
+    grown = joints.kinetic_energy(velocity) - GROWS * energy
     if grown <= 0:
         return False
-    both, free = motion + moved, joints.inverse > 0
-    driven = (jacobian != 0) @ (~free & (both != 0))
-    driven[layout.joints] |= kick.joint_rates() != 0
-    driven[layout.slips] |= kick.belt_slip != 0
-    work = impulse[driven] @ (jacobian[driven] @ (both * free)) / 2
+    both, free = motion + velocity, joints.inverse > 0
+    driven_rows = (jacobian != 0) @ (~free & (both != 0))
+    driven_rows[layout.joints] |= kick.joint_rates() != 0
+    driven_rows[layout.slips] |= kick.belt_slip != 0
+    work = impulse[driven_rows] @ (jacobian[driven_rows] @ (both * free)) / 2
     return grown > float(work)
 
 
@@ -118,22 +118,22 @@ def _squeezes(kick: Kick, motion: Array, found: ConstraintImpulses, energy: floa
     Their work is compared with the free motion, and with the motion that the joints allow: without
     its joints a body that is lifted at one end would turn, and its other end would come free.
     """
-    impulse, moved, *_ = found
+    impulse, velocity, *_ = found
     gaps, least = kick.layout.gaps, GIVES * energy
     closing, pushes = kick.rows_at_start.jacobian[gaps], impulse[gaps]
 
     def work(before: Array) -> float:
-        return float(pushes.dot(closing.dot(before + moved))) / 2
+        return float(pushes.dot(closing.dot(before + velocity))) / 2
 
     return work(motion) > least and work(_joined(kick, motion)) > least
 
 
 def _joined(kick: Kick, motion: Array) -> Array:
     """Return velocities, (3 N,), after the impulses of the joints alone [m/s, rad/s]."""
-    held = np.flatnonzero(kick.layout.problem.free)
-    if not len(held):
+    free_rows = np.flatnonzero(kick.layout.problem.free)
+    if not len(free_rows):
         return motion
-    jacobian, response = kick.rows_at_start.jacobian[held], kick.response[held]
-    rates = jacobian @ motion + kick.joint_rates()[held]
+    jacobian, response = kick.rows_at_start.jacobian[free_rows], kick.response[free_rows]
+    rates = jacobian @ motion + kick.joint_rates()[free_rows]
     impulse = nearest(jacobian @ response.T, rates)
     return np.asarray(motion - impulse @ response)

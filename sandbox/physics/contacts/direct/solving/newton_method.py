@@ -46,19 +46,21 @@ def newton(
     """
     rounds, left = _Rounds(), layout
     for iteration in range(MAX_ITERATIONS):
-        way = drift * (motion + impulse.dot(kick.response))
-        there = rows(way) if np.count_nonzero(way) else kick.rows_at_start
-        wrong, before = there.total - wanted, (impulse, active)
-        missed, rate, held = np.abs(wrong), wrong / drift, active
-        far = held.on & (missed > QUADRATIC)
+        displacement = drift * (motion + impulse.dot(kick.response))
+        evaluated = rows(displacement) if np.count_nonzero(displacement) else kick.rows_at_start
+        wrong, before = evaluated.total - wanted, (impulse, active)
+        missed, rate, active_now = np.abs(wrong), wrong / drift, active
+        far = active_now.on & (missed > QUADRATIC)
         off, lets = far if iteration < SOON else None, TAUT / drift
-        found = solve_rows(kick, left, there.jacobian, rate, held, impulse, lets=lets, off=off)
+        found = solve_rows(
+            kick, left, evaluated.jacobian, rate, active_now, impulse, lets=lets, off=off
+        )
         impulse, active = found if left is layout else _with_settled(left, before, found)
-        moves = far if active is held else _changes(layout, far, active, held)
-        if not np.count_nonzero(moves):
+        changed = far if active is active_now else _changes(layout, far, active, active_now)
+        if not np.count_nonzero(changed):
             return impulse, motion + impulse.dot(kick.response), active
-        left = layout.around(moves)
-        if rounds.vain(held, max_abs(missed[held.on])):
+        left = layout.around(changed)
+        if rounds.vain(active_now, max_abs(missed[active_now.on])):
             break
     raise failure(kick, int(np.where(active.on, missed, 0.0).argmax()))
 
@@ -75,11 +77,11 @@ def _with_settled(
     return np.where(some, solved, impulse), Active(np.where(some, held.on, active.on), slip)
 
 
-def _changes(layout: Layout, far: Booleans, active: Active, held: Active) -> Booleans:
+def _changes(layout: Layout, far: Booleans, active: Active, active_now: Active) -> Booleans:
     """Return which rows are far from their targets, or active in another way than before: (r,)."""
-    moves = far | (active.on != held.on)
-    moves[layout.slips] |= active.slip != held.slip
-    return moves
+    changed = far | (active.on != active_now.on)
+    changed[layout.slips] |= active.slip != active_now.slip
+    return changed
 
 
 class _Rounds:
@@ -92,9 +94,9 @@ class _Rounds:
         self._least: dict[bytes, float] = {}
         self._last = b""
 
-    def vain(self, held: Active, missed: float) -> bool:
+    def vain(self, active: Active, missed: float) -> bool:
         """Record an active set and its largest error; return whether it repeats in vain."""
-        key, least = held.key, self._least.get(held.key, inf)
+        key, least = active.key, self._least.get(active.key, inf)
         again = key != self._last and missed >= least / 2
         self._least[key], self._last = min(missed, least), key
         return again
@@ -133,8 +135,8 @@ def solve_rows(
         guess = Active(active.on.take(rows), active.slip.take(slips))
         allow = inf if off is not None and np.count_nonzero(off.take(rows)) else lets
         terms = _Terms(kick.response, jacobian, rate, impulse).of(rows)
-        found[rows], held = _solve_island(kick, island, terms, guess, allow)
-        on[rows], slip[slips] = held
+        found[rows], island_active = _solve_island(kick, island, terms, guess, allow)
+        on[rows], slip[slips] = island_active
     return found, Active(on, slip)
 
 
@@ -184,8 +186,8 @@ def _solve_alone(
     if impulse is not None:
         free -= own * impulse.take(rows)
     found, blur = [], kick.velocity_rounding
-    for row, *known in zip(rows, own.tolist(), free.tolist(), lets.tolist(), strict=True):
-        delassus, wrong, allowed = known
+    for row, *terms in zip(rows, own.tolist(), free.tolist(), lets.tolist(), strict=True):
+        delassus, wrong, allowed = terms
         try:
             found.append(solve_one(delassus, wrong, blur, allowed))
         except Unsolvable:

@@ -47,10 +47,10 @@ class OverlapCorrection:
         back = self._back(kick, leaving)
         if back is None:
             return None
-        layout, here, wanted = kick.layout, kick.rows_at_start, kick.targets()
-        held, slack = here.total[layout.joints], wanted[layout.joints]
-        slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
-        wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
+        layout, at_start, wanted = kick.layout, kick.rows_at_start, kick.targets()
+        present, slack = at_start.total[layout.joints], wanted[layout.joints]
+        slack = np.minimum(present, slack)  # a slack rope may grow as long as it is
+        wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, present)
         wanted[layout.gaps] += back
         asked = np.concatenate((kick.pose.values, wanted))
         if np.array_equal(asked, self._lost):  # as in the kick before, while bodies are held
@@ -68,8 +68,8 @@ class OverlapCorrection:
     ) -> tuple[Array, tuple[Layout, Active]]:
         """Return the smallest displacement that satisfies the rows, and the active rows."""
         none, still = np.zeros_like(wanted), np.zeros_like(kick.pose.values)
-        _, shift, held = newton(kick, layout, kick.rows, still, 1.0, wanted, none, start)
-        return shift, (kick.layout, held)
+        _, shift, active = newton(kick, layout, kick.rows, still, 1.0, wanted, none, start)
+        return shift, (kick.layout, active)
 
     def _together(self, kick: Kick, wanted: Array, shift: Array) -> Array:
         """Return a displacement that keeps bodies that press on each other in contact.

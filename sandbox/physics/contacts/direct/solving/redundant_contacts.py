@@ -33,11 +33,11 @@ def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
     )
     across, own = delassus[:count, count:], delassus.diagonal()[:count]
     shares = nearest(delassus[count:, count:], across.T)
-    held = layout.joined[own - np.vecdot(across, shares.T) <= MOVES * own]
-    if not len(held):
+    redundant = layout.joined[own - np.vecdot(across, shares.T) <= MOVES * own]
+    if not len(redundant):
         return None
     decided = np.zeros(layout.gaps.stop - layout.gaps.start, dtype=bool)
-    decided[held] = True
+    decided[redundant] = True
     pushes = layout.problem.pushes.copy()
     pushes[layout.gaps] &= ~decided
     return layout.asking(layout.problem._replace(pushes=pushes)), decided
@@ -50,7 +50,7 @@ def check_held(kick: Kick, decided: Booleans, motion: Array) -> None:
     the drift [m/s, rad/s]. Raises `NoForces` if bodies come to overlap by more than the skin.
     """
     gaps, touching = kick.layout.gaps, kick.layout.touching
-    there = kick.rows(motion * kick.joints.drift).total
-    deep = (np.minimum(kick.targets(), -SLOP) - there)[gaps] * decided
+    end_rows = kick.rows(motion * kick.joints.drift).total
+    deep = (np.minimum(kick.targets(), -SLOP) - end_rows)[gaps] * decided
     if deep.max() > DIRECT_SKIN:
         raise NoForces(*touching.bodies[:, int(deep.argmax())].tolist())

@@ -6,7 +6,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.joints.exact.constraint_interface import PLACES
+from sandbox.physics.joints.exact.constraint_interface import POSITION_ROUNDING
 
 FOOT = 16
 """The rounding error of the foot of a body on a curve, which is found from several positions, as a
@@ -15,9 +15,9 @@ multiple of that of a position. What is left of it in a kick differs between pro
 200 boxes."""
 
 
-def left_of_places(places: Array, bodies: Sequence[pymunk.Body], drift: float) -> float:
-    """Return what rounding of places, (n, 3), leaves in velocities after a drift in s [m/s]."""
-    foot = FOOT * PLACES * float(np.abs(places).max(initial=0.0))
+def velocity_rounding(poses: Array, bodies: Sequence[pymunk.Body], drift: float) -> float:
+    """Return the error of velocities by the rounding of poses, (n, 3), over a drift [s] [m/s]."""
+    foot = FOOT * POSITION_ROUNDING * float(np.abs(poses).max(initial=0.0))
     return foot * len(bodies) ** 0.5 / drift
 
 

@@ -61,8 +61,10 @@ class WarmStart:
 
     def note(self, kick: Kick, forces: Array, active: Active) -> None:
         """Remember the forces of a kick, (r,) [N], and its active rows."""
-        known, self._known = self._known, LastKick(kick.layout, forces, active)
-        same = known and known.layout is kick.layout and known.active.equals(active)
+        before_last, self._known = self._known, LastKick(kick.layout, forces, active)
+        same = (
+            before_last and before_last.layout is kick.layout and before_last.active.equals(active)
+        )
         self._past = [forces, *self._past[:2]] if same else [forces]
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
@@ -71,8 +73,8 @@ class WarmStart:
         New contacts are active if they approach, and slip if their surfaces do. `motion`, (3 N,),
         are the velocities without impulses [m/s, rad/s], and `length` is that of the kick [s].
         """
-        if known := self._recalled(kick):
-            return self._expected() * length, known.active
+        if last := self._recalled(kick):
+            return self._expected() * length, last.active
         force, along, on, slip = self._new(kick, motion)
         tension, taut = kick.joints.expected()
         if self._known and len(self._known.tension) == len(tension):
@@ -92,8 +94,8 @@ class WarmStart:
 
     def was_loaded(self, kick: Kick) -> Booleans:
         """Return which gaps had a normal force in the last kick: (k,)."""
-        if known := self._recalled(kick):
-            return np.asarray(known.force > 0)
+        if last := self._recalled(kick):
+            return np.asarray(last.force > 0)
         force = np.zeros(len(kick.layout.touching.pair))
         for gap, old in self._same(kick):
             assert self._known
@@ -119,8 +121,8 @@ class WarmStart:
 
     def _recalled(self, kick: Kick) -> LastKick | None:
         """Return the last kick, if it had the same contacts."""
-        known = self._known
-        return known if known and known.layout.touching is kick.layout.touching else None
+        last = self._known
+        return last if last and last.layout.touching is kick.layout.touching else None
 
     def _new(self, kick: Kick, motion: Array) -> tuple[Array, Array, Booleans, Integers]:
         """Return a guess for other contacts: from the last kick where known, else from the motion.
@@ -128,21 +130,21 @@ class WarmStart:
         It consists of the normal forces, (k,), the friction, (f,), the active gaps, (k,), and the
         signs of sliding friction, (f,), 0 where it sticks.
         """
-        touching, layout, known = kick.layout.touching, kick.layout, self._known
+        touching, layout, last = kick.layout.touching, kick.layout, self._known
         rates = kick.rows_at_start.jacobian @ motion
         rates[layout.slips] += kick.belt_slip
         on, speed = rates[layout.gaps] < 0, rates[layout.slips]
         force, along = np.zeros(len(on)), np.zeros(len(speed))
         slip = np.where(np.abs(speed) > AT_REST, -np.sign(speed), 0).astype(np.intp)
-        if known:
-            old_force, old_on = known.force, known.active.on[known.layout.gaps]
-            old_along = known.forces[known.layout.slips]
-            before = known.layout.touching
+        if last:
+            old_force, old_on = last.force, last.active.on[last.layout.gaps]
+            old_along = last.forces[last.layout.slips]
+            before = last.layout.touching
             keys, old_keys = _keys(touching), _keys(before)
             for gap, old in _same(keys, old_keys):
                 force[gap], on[gap] = old_force[old], old_on[old]
             for index, old in _same(_rubbing(touching, keys), _rubbing(before, old_keys)):
-                along[index], slip[index] = old_along[old], known.active.slip[old]
+                along[index], slip[index] = old_along[old], last.active.slip[old]
         return force, along, on, slip
 
     def _same(self, kick: Kick) -> list[tuple[int, int]]:
@@ -157,15 +159,15 @@ def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array
 
     New contacts have no force.
     """
-    known = WarmStart()
-    known.note(old, forces, active)
-    return known.guess(new, np.zeros(new.response.shape[1]), 1.0)
+    warm_start = WarmStart()
+    warm_start.note(old, forces, active)
+    return warm_start.guess(new, np.zeros(new.response.shape[1]), 1.0)
 
 
 def _same(new: list[Key], old: list[Key]) -> list[tuple[int, int]]:
     """Return the indices of keys that there are in both lists, in each of them."""
-    places = {key: index for index, key in enumerate(old)}
-    return [(index, places[key]) for index, key in enumerate(new) if key in places]
+    old_indices = {key: index for index, key in enumerate(old)}
+    return [(index, old_indices[key]) for index, key in enumerate(new) if key in old_indices]
 
 
 def _rubbing(touching: ContactPoints, keys: list[Key]) -> list[Key]:

@@ -10,7 +10,7 @@ from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
 from sandbox.physics.contacts.direct.drifts import drift_cutter
 from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
@@ -204,7 +204,7 @@ def test_a_crowd_that_bounces_on_a_floor_is_known_early(monkeypatch: pytest.Monk
     cuts = 0
     locate = DriftCutter._land
 
-    def counted(self: DriftCutter, *what: Any) -> DriftPart:  # noqa: ANN401 (as they were given)
+    def counted(self: DriftCutter, *what: Any) -> Subdrift:  # noqa: ANN401 (as they were given)
         nonlocal cuts
         cuts += 1
         return locate(self, *what)

@@ -11,7 +11,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
-from sandbox.physics.contacts.direct.drifts import drift_part_solver
+from sandbox.physics.contacts.direct.drifts import subdrift_solver
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import ConstraintImpulses, hold
 from sandbox.physics.energy.ledger import Ledger
@@ -64,7 +64,7 @@ def test_what_it_has_nothing_to_do_with_is_not_solved_anew(monkeypatch: pytest.M
         solved.append(len(kick.layout.islands))
         return hold(kick, motion, guess, driven=driven)
 
-    monkeypatch.setattr(drift_part_solver, "hold", noted)
+    monkeypatch.setattr(subdrift_solver, "hold", noted)
     bodies = {"one": box((3, 0.25)), "two": box((5, 0.25)), "falls": box((0, 1), angle=0.3)}
     build(dropped(240, bodies)).advance(120)
 

@@ -5,7 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.physics.contacts.direct.prediction.convex_parts import PLACES, ConvexPart, ConvexParts
+from sandbox.physics.contacts.direct.prediction.convex_parts import (
+    POSITION_ROUNDING,
+    ConvexPart,
+    ConvexParts,
+)
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.run import build
 from tests.physics.scenes import box, disc, level
@@ -36,7 +40,7 @@ def test_what_is_asked_for_again_is_placed_already(shapes: ConvexParts) -> None:
 
 def test_only_the_last_places_are_remembered(shapes: ConvexParts) -> None:
     once = shapes.at(somewhere(0))
-    for x in range(1, PLACES + 1):
+    for x in range(1, POSITION_ROUNDING + 1):
         shapes.at(somewhere(x))
 
     assert shapes.at(somewhere(0)) is not once

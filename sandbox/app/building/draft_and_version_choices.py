@@ -22,30 +22,30 @@ class RecoveryChoice(NamedTuple):
     """A choice: its text and its buttons."""
 
     text: str
-    ways: tuple[ButtonAction, ...]
+    actions: tuple[ButtonAction, ...]
 
 
-def offers(editor: Editor, session: Session) -> list[RecoveryChoice]:
+def choices(editor: Editor, session: Session) -> list[RecoveryChoice]:
     """Return the present choices."""
-    found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
+    found = [_recovery_choice(left, editor, session) for left in (editor.drafts.left or ())[:1]]
     if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
-        ways = tuple(_going_on(draft, editor, session) for draft in others)
-        found.append(RecoveryChoice(say("Unsaved drawings:"), ways))
+        actions = tuple(_open_other_draft(draft, editor, session) for draft in others)
+        found.append(RecoveryChoice(say("Unsaved drawings:"), actions))
     if editor.drafts.outside:
         tip = say("read the file; Ctrl+Z brings your version back")
         reading = ButtonAction(say("Read it"), tip, editor.saving.reload)
         tip = say("overwrite it at the next save")
-        mine = ButtonAction(say("Keep mine"), tip, partial(_keep, editor))
+        mine = ButtonAction(say("Keep mine"), tip, partial(_keep_mine, editor))
         found.append(RecoveryChoice(say("Another program has changed the file."), (reading, mine)))
     return found
 
 
-def _going_on(draft: Draft, editor: Editor, session: Session) -> ButtonAction:
+def _open_other_draft(draft: Draft, editor: Editor, session: Session) -> ButtonAction:
     """Return the button that opens another draft."""
     level = draft.level
     title = say("a level with mistakes")
     if level is not None:
-        title = _called(level)
+        title = _name_of(level)
     caption = title if draft.path is None else draft.path.name
     tip = say("go on with it")
     if level is not None:
@@ -54,19 +54,19 @@ def _going_on(draft: Draft, editor: Editor, session: Session) -> ButtonAction:
     return ButtonAction(caption, tip, partial(editor.begin, session, draft))
 
 
-def _called(level: Level) -> str:
+def _name_of(level: Level) -> str:
     """Return the name of a level; without a title, it is named after its latest body."""
     if is_untitled({"title": level.title}):
         return say("Untitled, with {body}", body=list(level.bodies)[-1])
     return level_translation.title_of_level(level)
 
 
-def _recovering(left: Recoverable, editor: Editor, session: Session) -> RecoveryChoice:
+def _recovery_choice(left: Recoverable, editor: Editor, session: Session) -> RecoveryChoice:
     name = left.path.name if left.path else say("a level without a file")
     when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
     going_on = partial(recover, left, editor, session)
     act = ButtonAction(say("Recover"), say("go on with it"), going_on)
-    forget = ButtonAction(say("Forget it"), say("delete it"), partial(_forget, left, editor))
+    forget = ButtonAction(say("Forget it"), say("delete it"), partial(_discard, left, editor))
     message = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
     return RecoveryChoice(message, (act, forget))
 
@@ -75,16 +75,16 @@ def recover(left: Recoverable, editor: Editor, session: Session) -> None:
     """Continue an earlier window's draft; once this window keeps it, it is no longer offered."""
     editor.begin(session, left.draft())
     if why := editor.drafts.keep():
-        editor.work.tell(say(why))
+        editor.work.show_message(say(why))
     else:
-        _forget(left, editor)
+        _discard(left, editor)
 
 
-def _forget(left: Recoverable, editor: Editor) -> None:
+def _discard(left: Recoverable, editor: Editor) -> None:
     editor.drafts.forget(left)
     editor.bench.show()
 
 
-def _keep(editor: Editor) -> None:
+def _keep_mine(editor: Editor) -> None:
     editor.drafts.keep_mine(editor.work.draft)
     editor.bench.show()

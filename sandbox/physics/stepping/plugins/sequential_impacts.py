@@ -1,12 +1,12 @@
-"""The stage of sequential impacts, between drift and kick."""
+"""The plugin of sequential impacts, between drift and kick."""
 
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.state.kick_context import Kick
-from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 
-def make(setup: Setup) -> Stage:
-    """Make the stage."""
+def make(setup: Setup) -> Plugin:
+    """Make the plugin."""
     sequence, forces = setup.scene.sequence, setup.forces
     assert sequence
 
@@ -17,4 +17,4 @@ def make(setup: Setup) -> Stage:
     def record(step: StepRecord) -> StepRecord:
         return step._replace(velocity_jump=sequence.last.jump)
 
-    return Stage(in_kick=collide, record=record)
+    return Plugin(in_kick=collide, record=record)

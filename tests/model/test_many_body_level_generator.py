@@ -7,7 +7,7 @@ import pytest
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.level_writing import text
 from sandbox.model.loading import MAX_BYTES, parse
-from sandbox.model.many_body_levels import CROWDS, CrowdError, crowd
+from sandbox.model.many_body_level_generator import CROWDS, CrowdError, crowd
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
 

@@ -1,4 +1,7 @@
-"""Hard cases as levels: `python -m validation.stability.levels` writes those that are computed."""
+"""Writes the hard cases that are computed as levels.
+
+Run it with `python -m validation.stability.write_hard_levels`.
+"""
 
 from sandbox.model.file_writing import write_atomically
 from sandbox.model.level_catalog import root

@@ -4,7 +4,7 @@ import pytest
 
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_disc
-from sandbox.editing.edits.joints import Pick, add_joint, picks
+from sandbox.editing.edits.joint_creation import Pick, add_joint, picks
 from sandbox.editing.text_patches import value_at
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import KINDS

@@ -1,4 +1,4 @@
-"""The legend of the stage: the colours of runs that are drawn together."""
+"""The legend of the runs that are drawn together on the stage, by their colours."""
 
 from collections.abc import Sequence
 
@@ -7,7 +7,6 @@ import pygame
 from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.pages.page import Row
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 
@@ -15,18 +14,21 @@ CORNER = 44, 62  # px, clear of the ruler and of a banner of one line
 GAP = 8  # px, below a banner of several lines
 SWATCH = 26  # px
 PADDING = 8  # px
+LegendRow = tuple[Color | None, str]
+"""A colour (None for the run that is played), and the caption of what is drawn in it."""
+
 COLORS = 4
 """The largest number of bodies' colours that are shown for the current run."""
 
 
-def earlier(texts: Sequence[str]) -> Sequence[Row]:
+def earlier(texts: Sequence[str]) -> Sequence[LegendRow]:
     """Return rows for the current run and each earlier one; none without earlier runs."""
     rows = [(theme.LANES[i % len(theme.LANES)], text) for i, text in enumerate(texts)]
     return [(None, say("this run")), *rows] if rows else []
 
 
 def draw(
-    surface: pygame.Surface, pen: Pen, rows: Sequence[Row], banner: int = 0,
+    surface: pygame.Surface, pen: Pen, rows: Sequence[LegendRow], banner: int = 0,
     own: Sequence[Color] = (),
 ) -> None:  # fmt: skip
     """Draw a row for each run in the upper left corner, below the banner.

@@ -10,7 +10,7 @@ from sandbox.physics.engine.grab_spring import Hand
 from sandbox.physics.scene.stability_limits import check_springs
 from sandbox.physics.scene.substep import once
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping.stage import Setup, Stages
+from sandbox.physics.stepping.step_plugin import Plugins, Setup
 
 
 def require_leapfrog(setup: Setup, now: Snapshot) -> None:
@@ -31,7 +31,7 @@ def grab(setup: Setup, body: str, point: XY) -> None:
     forces.hand.grab(list(scene.bodies).index(body), point)
 
 
-def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapshot) -> None:
+def place(setup: Setup, plugins: Plugins, positions: Mapping[str, XY], now: Snapshot) -> None:
     """Move bodies to positions [m], with their present velocities.
 
     Raises `SimulationError` if a position is outside the grid in which pymunk finds pairs.
@@ -39,7 +39,7 @@ def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapsh
     scene, t = setup.scene, setup.kicks.clock.after(0)
     for name, position in positions.items():
         if isfinite(scene.reach) and not max(map(abs, position)) < scene.reach:
-            from sandbox.physics.stepping.stages.grid_bounds import out_of_bounds
+            from sandbox.physics.stepping.plugins.grid_bounds import out_of_bounds
 
             raise out_of_bounds(name, scene, t)
     for name, position in positions.items():
@@ -47,6 +47,6 @@ def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapsh
         scene.space.reindex_shapes_for_body(scene.bodies[name])
     if scene.hollows:
         scene.hollows.enclosures.update()
-    for refit in stages.refit:
+    for refit in plugins.refit:
         refit(t)
     scene.batch.set_velocity(np.column_stack((now.velocity, now.angular_velocity)))

@@ -9,7 +9,7 @@ from sandbox.app.words import level_translation
 from sandbox.app.words.language import say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.challenges import add_challenge, drop_challenge
-from sandbox.editing.edits.checks import add_checks, drop_check_or_ghost
+from sandbox.editing.edits.checks_and_ghosts import add_checks, drop_check_or_ghost
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 
@@ -19,7 +19,7 @@ LONGEST = 30
 """The largest number of letters of a check's title on its button."""
 
 
-def stated(work: EditedLevel) -> list[ButtonAction]:
+def actions(work: EditedLevel) -> list[ButtonAction]:
     """Return the actions that add or remove checks, ghosts and a challenge, or change events."""
     if work.draft.level is None:
         return []
@@ -36,9 +36,9 @@ def stated(work: EditedLevel) -> list[ButtonAction]:
     words = level_translation.of(level)
     checks = [
         ButtonAction(
-            f"− {_cut(level_translation.title(check, words))}",
+            f"− {_shortened(level_translation.title(check, words))}",
             say("take this check out"),
-            partial(_drop, work, "checks", index),
+            partial(_remove, work, "checks", index),
         )
         for index, check in enumerate(level.checks)
     ]
@@ -46,15 +46,15 @@ def stated(work: EditedLevel) -> list[ButtonAction]:
         ButtonAction(
             say("− ghost of {name}", name=name),
             say("take this ghost out"),
-            partial(_drop, work, "ghosts", name),
+            partial(_remove, work, "ghosts", name),
         )
         for name in level.ghosts
     ]
-    told = [*checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
-    return [*adding, *_challenge(work, level, moving), *_waiting(work, level), *told]
+    parts = [*checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
+    return [*adding, *_challenge(work, level, moving), *_event_actions(work, level), *parts]
 
 
-def _cut(title: str) -> str:
+def _shortened(title: str) -> str:
     """Return a title that fits on a button."""
     return title if len(title) <= LONGEST else f"{title[: LONGEST - 1].rstrip()}…"
 
@@ -79,30 +79,32 @@ def _set_task(work: EditedLevel, body: str) -> None:
     labels = say("between left and right"), say("not above")
     edit = partial(add_challenge, body=body, task=task, labels=labels)
     if work.change(say("add a challenge"), edit):
-        work.tell(say("Its task and its goals are fields below, under challenge"))
+        work.show_message(say("Its task and its goals are fields below, under challenge"))
 
 
-def _waiting(work: EditedLevel, level: Level) -> list[ButtonAction]:
+def _event_actions(work: EditedLevel, level: Level) -> list[ButtonAction]:
     """Return the actions that let events wait for a quantity instead of a time."""
     tip = say("it waits until a quantity crosses a value; its fields are below, under events")
     return [
-        ButtonAction(say("{event}: when ...", event=name), tip, partial(_wait, work, name))
+        ButtonAction(
+            say("{event}: when ...", event=name), tip, partial(_let_event_wait, work, name)
+        )
         for name, event in level.events.items()
         if isinstance(event.at, Expression)
     ][:MOST_TOLD]
 
 
-def _wait(work: EditedLevel, event: str) -> None:
-    said = say("let {event} wait for a quantity", event=event)
-    work.change(said, lambda text, level: events.wait_for_quantity(text, level, event))
+def _let_event_wait(work: EditedLevel, event: str) -> None:
+    caption = say("let {event} wait for a quantity", event=event)
+    work.change(caption, lambda text, level: events.wait_for_quantity(text, level, event))
 
 
 def _check(work: EditedLevel, body: str) -> None:
     new = {"quantity": f"{body}.position.x", "formula": "0", "tolerance": 1e-3}
     if work.change(say("add a check"), lambda text, level: add_checks(text, level, [new])):
-        work.tell(say("Type its quantity and its formula below, under checks"))
+        work.show_message(say("Type its quantity and its formula below, under checks"))
 
 
-def _drop(work: EditedLevel, part: Literal["checks", "ghosts"], which: int | str) -> None:
-    said = say("take out a check") if part == "checks" else say("take out a ghost")
-    work.change(said, lambda text, _: drop_check_or_ghost(text, part, which))
+def _remove(work: EditedLevel, part: Literal["checks", "ghosts"], which: int | str) -> None:
+    caption = say("take out a check") if part == "checks" else say("take out a ghost")
+    work.change(caption, lambda text, _: drop_check_or_ghost(text, part, which))

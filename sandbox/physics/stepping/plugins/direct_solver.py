@@ -1,13 +1,13 @@
-"""The stage of the direct solver: contacts and exact joints together (see `contacts/direct`)."""
+"""The plugin of the direct solver: contacts and exact joints together (see `contacts/direct`)."""
 
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.state.kick_context import Kick
-from sandbox.physics.stepping.stage import Setup, Stage
-from sandbox.physics.stepping.stages.non_pymunk_joints import bearing
+from sandbox.physics.stepping.plugins.non_pymunk_joints import bearing
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 
-def make(setup: Setup) -> Stage:
-    """Make the stage."""
+def make(setup: Setup) -> Plugin:
+    """Make the plugin."""
     direct, forces, dt = setup.scene.direct, setup.forces, setup.kicks.clock.dt
     assert direct
 
@@ -24,7 +24,7 @@ def make(setup: Setup) -> Stage:
         over = step.impact_count + len(direct.drifts.separated_contacts.bodies)
         return step._replace(divided_drift=direct.drifts.drift_before, impact_count=over)
 
-    return Stage(
+    return Plugin(
         in_kick=begin,
         after_kick=bearing(setup, solve),
         refit=refit,

@@ -1,4 +1,4 @@
-"""The stage of located impacts and located ends of slipping, at which drifts are cut.
+"""The plugin of located impacts and located ends of slipping, at which drifts are cut.
 
 See `events/located_impacts.py` and `events/slip_ends.py`. An impact in a drift changes the slips,
 so the end of slipping is then left to the kick after it.
@@ -10,18 +10,18 @@ from typing import TYPE_CHECKING
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 if TYPE_CHECKING:
     from sandbox.physics.events.located_impacts import ImpactLocator
     from sandbox.physics.events.slip_ends import SlipEndLocator
 
 
-def make(setup: Setup) -> Stage:
-    """Make the stage."""
+def make(setup: Setup) -> Plugin:
+    """Make the plugin."""
     impacts, slip_ends = _impacts(setup), _slip_ends(setup)
     cuts = Cuts(setup, impacts, slip_ends)
-    return Stage(
+    return Plugin(
         before_drift=cuts.cut,
         after_step=slip_ends.detect if slip_ends else None,
         started=cuts.start,

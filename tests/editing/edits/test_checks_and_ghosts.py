@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.editing.edits.checks import (
+from sandbox.editing.edits.checks_and_ghosts import (
     add_checks,
     drop_check_or_ghost,
     quantity_completions,

@@ -6,14 +6,14 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
-from sandbox.physics.contacts.direct.drifts.drift_parts import DriftPart, others_of
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
+from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift, others_of
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.joints.exact.constraint_interface import order
+from sandbox.physics.joints.exact.constraint_interface import coordinate_indices
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 
 BRIEF = 1e-3
@@ -26,7 +26,7 @@ are solved again, as for a whole drift. In a short part they follow from small d
 positions, which rounding spoils."""
 
 
-class PartSolver:
+class SubdriftSolver:
     """Solves parts of a drift; N bodies with the plane.
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
@@ -38,14 +38,14 @@ class PartSolver:
     def __init__(self, laws: Array, until: float, *, driven: bool) -> None:
         self._laws, self._until, self._driven = laws, until, driven
         count = len(laws) // 3 - 1
-        self._order = order(count)
+        self._order = coordinate_indices(count)
         self.reached: Booleans = np.zeros(count, dtype=bool)
 
-    def _solved(self, part: DriftPart, drift: float, duration: float) -> DriftPart:
+    def _solved(self, part: Subdrift, drift: float, duration: float) -> Subdrift:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.time_left
         joints.time(drift, drift)
-        kick = part.kick.before_drift(joints.course(start, start + drift))
+        kick = part.kick.before_drift(joints.kept_lengths(start, start + drift))
         mine, _, drive = others_of(part, self._laws, self.reached)
         motion = part.start_velocity + duration * drive
         part = part._replace(kick=kick, drift=drift, kick_duration=duration, velocity=motion)
@@ -54,26 +54,26 @@ class PartSolver:
         slips = mine[kick.layout.slips]
         some = replace(kick, layout=kick.layout.around(mine))
         guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
-        impulse, moved, held, flat = hold(
+        impulse, velocity, active, flat = hold(
             some, motion, (np.where(mine, part.forces * duration, 0.0), guess), driven=self._driven
         )
-        leaning = some.with_tilt_friction(moved, impulse)
+        leaning = some.with_tilt_friction(velocity, impulse)
         if leaning is not None:
-            found = impulse, held
-            impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
+            found = impulse, active
+            impulse, velocity, active, flat = hold(leaning, motion, found, driven=self._driven)
             kick = replace(leaning, layout=kick.layout)
         return part._replace(
             kick=kick,
             forces=np.where(mine, impulse / duration, part.forces),
             active=Active(
-                np.where(mine, held.on, part.active.on),
-                np.where(slips, held.slip, part.active.slip),
+                np.where(mine, active.on, part.active.on),
+                np.where(slips, active.slip, part.active.slip),
             ),
-            velocity=moved,
+            velocity=velocity,
             flat=flat,
         )
 
-    def _lasting(self, last: DriftPart, drift: float) -> DriftPart:
+    def _lasting(self, last: Subdrift, drift: float) -> Subdrift:
         """Return the last part with forces that last for a whole drift [s].
 
         If other rows would be active then, it keeps its own forces.
@@ -90,7 +90,7 @@ class PartSolver:
             else last
         )
 
-    def _shortened(self, part: DriftPart, drift: float, near: DriftPart) -> DriftPart:
+    def _shortened(self, part: Subdrift, drift: float, near: Subdrift) -> Subdrift:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
         duration = part.kick_duration - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
@@ -100,11 +100,11 @@ class PartSolver:
             except NoForces:
                 if drift > BRIEF * part.drift:
                     raise
-        moved = part.start_velocity + duration * (self._laws + part.constraint_acceleration)
-        return part._replace(drift=drift, kick_duration=duration, velocity=moved)
+        velocity = part.start_velocity + duration * (self._laws + part.constraint_acceleration)
+        return part._replace(drift=drift, kick_duration=duration, velocity=velocity)
 
     def _arrived(
-        self, part: DriftPart, struck: Booleans, catching: Booleans | None = None
+        self, part: Subdrift, struck: Booleans, catching: Booleans | None = None
     ) -> tuple[Kick, Array, tuple[Stage, ...]]:
         """Return the end of a part, before any impact.
 

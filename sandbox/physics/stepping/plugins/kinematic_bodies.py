@@ -1,4 +1,4 @@
-"""The stage of kinematic bodies that follow formulas of time.
+"""The plugin of kinematic bodies that follow formulas of time.
 
 The direct solver starts from the velocities before a kick and the accelerations in it. So it gets
 the motion of these bodies as an acceleration before the kick, and their velocities are set after
@@ -7,11 +7,11 @@ pymunk's solver.
 
 from sandbox.physics.engine.prescribed_motion import Motions
 from sandbox.physics.state.kick_context import Kick
-from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 
-def make(setup: Setup) -> Stage:
-    """Make the stage; between two steps, as at an impact, such bodies keep their velocities."""
+def make(setup: Setup) -> Plugin:
+    """Make the plugin; between two steps, as at an impact, such bodies keep their velocities."""
     clock, forces, scene = setup.kicks.clock, setup.forces, setup.scene
     motions = Motions(setup.level.bodies, setup.values, scene.batch, clock.dt)
 
@@ -25,4 +25,4 @@ def make(setup: Setup) -> Stage:
         if kick.ahead == 0:
             motions.set_velocities()
 
-    return Stage(in_kick=set_acceleration, after_kick=set_velocity if scene.direct else None)
+    return Plugin(in_kick=set_acceleration, after_kick=set_velocity if scene.direct else None)

@@ -1,4 +1,4 @@
-"""Stages of a step: a level has those that it needs, and loads no others."""
+"""Plugins of a step: a level has those that it needs, and loads no others."""
 
 import inspect
 import json
@@ -11,8 +11,8 @@ from sandbox.physics.engine.broadphase import CROWD
 from sandbox.physics.run import build
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.stepping import world
-from sandbox.physics.stepping.stage import set_up
-from sandbox.physics.stepping.stages.register import STAGES
+from sandbox.physics.stepping.plugins.register import PLUGINS
+from sandbox.physics.stepping.step_plugin import set_up
 from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, atwood, disc, floor, level, orbit
 
@@ -46,21 +46,21 @@ CALLS: dict[str, Callable[[], Level]] = {
         {f"ball{i}": disc((3 * i, 0)) for i in range(CROWD)}, CONTACT
     ),
 }
-"""A level that calls for each stage."""
+"""A level that calls for each plugin."""
 
 
 def called(scene: Level) -> list[str]:
-    """The stages that a level needs."""
+    """The plugins that a level needs."""
     made = make_scene(scene, scene.defaults, scene.stepping)
     setup = set_up(scene, scene.defaults, scene.stepping, made)
-    return [name for name, (wanted, _) in STAGES.items() if wanted(setup)]
+    return [name for name, (wanted, _) in PLUGINS.items() if wanted(setup)]
 
 
-@pytest.mark.parametrize("stage", STAGES)
-def test_each_stage_is_called_for_by_a_level_and_takes_part_in_its_steps(stage: str) -> None:
-    scene = CALLS[stage]()
+@pytest.mark.parametrize("plugin", PLUGINS)
+def test_each_stage_is_called_for_by_a_level_and_takes_part_in_its_steps(plugin: str) -> None:
+    scene = CALLS[plugin]()
 
-    assert stage in called(scene)
+    assert plugin in called(scene)
     build(scene).advance(3)
 
 
@@ -89,7 +89,7 @@ def test_what_a_plain_level_does_not_declare_is_not_even_loaded() -> None:
 
     rooms = {name.split(".")[2] for name in loaded if name.count(".") > 1}
     assert rooms <= {"state", "engine", "forces", "joints", "scene", "guarding", "stepping"}
-    assert not [name for name in loaded if "stepping.stages." in name and "register" not in name]
+    assert not [name for name in loaded if "stepping.plugins." in name and "register" not in name]
     assert sum(loaded.values()) <= MOST
 
 

@@ -65,7 +65,7 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
     _check(level, names, data)
     ranges = np.array([(level.parameters[n].min, level.parameters[n].max) for n in names])
     low, width = ranges[:, 0], ranges[:, 1] - ranges[:, 0]
-    known = bool(data.uncertainties)
+    has_uncertainties = bool(data.uncertainties)
 
     def residuals(share: Array) -> Array:
         chosen = {**values, **dict(zip(names, (low + width * share).tolist(), strict=True))}
@@ -77,7 +77,7 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
         residuals, start, bounds=(0, 1), diff_step=STEP, xtol=1e-12, ftol=1e-12, gtol=1e-12
     )
     mean_square = float(found.fun @ found.fun) / (data.count - len(names))
-    covariance = _inverse_square(found.jac, names) * (1.0 if known else mean_square)
+    covariance = _inverse_square(found.jac, names) * (1.0 if has_uncertainties else mean_square)
     deviation = np.sqrt(covariance.diagonal())
     best = low + width * found.x
     chosen = {**values, **dict(zip(names, best.tolist(), strict=True))}
@@ -85,7 +85,7 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
     parameters = tuple(
         Fitted(n, level.parameters[n].unit, float(v), float(d), bool(b)) for n, v, d, b in fitted
     )
-    scatter = float(np.sqrt(mean_square)) if known else 1.0
+    scatter = float(np.sqrt(mean_square)) if has_uncertainties else 1.0
     correlation = covariance / np.outer(deviation, deviation)
     model = predicted(level, chosen, data, stepping)
     return Fit(parameters, correlation, data.count, scatter, model)

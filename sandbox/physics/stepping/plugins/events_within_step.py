@@ -1,4 +1,4 @@
-"""The stage of acting events: each takes effect at its own time within a drift.
+"""The plugin of acting events: each takes effect at its own time within a drift.
 
 See `events/switching_events.py`. At the event the bodies are held in place and kicked for half of
 the remaining drift, with the forces that act from there on, so that exact joints hold at its end.
@@ -35,7 +35,7 @@ from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.joints.joint_forces import JointForces, pulls_of
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.stepping.next_event import EventFinder
-from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
@@ -47,10 +47,10 @@ MOST = 1000
 """The most events in one step."""
 
 
-def make(setup: Setup) -> Stage:
-    """Make the stage."""
+def make(setup: Setup) -> Plugin:
+    """Make the plugin."""
     acting = EventStage(setup)
-    return Stage(
+    return Plugin(
         before_drift=acting.perform,
         started=acting.start,
         pre_kick_velocity=acting.pre_kick_velocity,

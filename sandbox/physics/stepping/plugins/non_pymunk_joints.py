@@ -1,4 +1,4 @@
-"""The stage of joints other than pymunk's; exact joints are solved after its kick."""
+"""The plugin of joints other than pymunk's; exact joints are solved after its kick."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -7,18 +7,18 @@ from sandbox.model.events import breaking_loads
 from sandbox.physics.joints.joint_changes import stick
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.kick_context import Kick, Work
-from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 
-def make(setup: Setup) -> Stage:
-    """Make the stage; the direct solver of contacts solves the exact joints, too."""
+def make(setup: Setup) -> Plugin:
+    """Make the plugin; the direct solver of contacts solves the exact joints, too."""
     scene = setup.scene
     joints, touching = scene.joints, setup.level.effects.contact is not None
     before = [string.warm_start for string in joints.strings.values()] if touching else []
     after = _all(_solvers(joints, alone=scene.direct is None))
     if after and scene.direct is None:
         after = bearing(setup, after)
-    return Stage(in_kick=_all(before), after_kick=after, refit=joints.refit)
+    return Plugin(in_kick=_all(before), after_kick=after, refit=joints.refit)
 
 
 def _solvers(joints: Joints, *, alone: bool) -> list[Work]:

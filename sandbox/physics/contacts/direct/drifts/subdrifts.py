@@ -20,8 +20,8 @@ from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     Coordinates,
+    coordinate_indices,
     inertia_of,
-    order,
 )
 
 DEEP = 1e-3
@@ -38,7 +38,7 @@ JERKS = 1e-3
 """In a jerk, joints give or take at least this share of the kinetic energy."""
 
 
-class DriftPart(NamedTuple):
+class Subdrift(NamedTuple):
     """A part of a drift, and the kick before it; r rows, N bodies with the plane.
 
     Attributes
@@ -81,10 +81,10 @@ class DriftPart(NamedTuple):
     stopped_crowds: bool = False
 
     @classmethod
-    def whole_drift(cls, taken: KickResult, drift: float, moved: Array) -> "DriftPart":
+    def whole_drift(cls, taken: KickResult, drift: float, velocity: Array) -> "Subdrift":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
         start, solution = (taken.start_velocity, taken.duration), (taken.forces, taken.active)
-        first = cls(taken.kick, drift, drift, *start, *solution, moved, taken.stages[:-1])
+        first = cls(taken.kick, drift, drift, *start, *solution, velocity, taken.stages[:-1])
         return first._replace(flat=taken.flat)
 
     @property
@@ -119,7 +119,7 @@ def rows_acting_on(kick: Kick, reached: Booleans) -> Booleans:
 
 def movable(kick: Kick) -> Booleans:
     """Return which bodies impulses can move: (n,)."""
-    return np.asarray(kick.joints.inverse[order(kick.acts.shape[1])].any(axis=1))
+    return np.asarray(kick.joints.inverse[coordinate_indices(kick.acts.shape[1])].any(axis=1))
 
 
 def around(kick: Kick, pairs: Sequence[Pair]) -> Booleans:
@@ -139,7 +139,7 @@ def linked(kick: Kick, some: Booleans) -> Booleans:
     return reached
 
 
-def others_of(part: DriftPart, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
+def others_of(part: Subdrift, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
     """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
 
     Also the accelerations by the latter forces and by force laws, (3 N,).
@@ -162,8 +162,8 @@ class CutDrift:
     take part in the landings; `start`, (n, 3), are the positions at its start [m, rad].
     """
 
-    whole: DriftPart
-    parts: Sequence[DriftPart]
+    whole: Subdrift
+    parts: Sequence[Subdrift]
     laws: Array
     reached: Booleans
     start: Array
@@ -173,7 +173,7 @@ class CutDrift:
         """The drift in parts, for the rest of the step."""
         whole, led, duration = self.whole, self._led, self.whole.kick_duration
         change = duration * (self.laws + led.constraint_acceleration)
-        after = self._moving((led.start_velocity + change)[self._places])
+        after = self._moving((led.start_velocity + change)[self._indices])
         lead = Stage.of(led.kick, duration, after, duration * led.forces)
         kept, back = self._taken_back()
         stages = [(part.kick, stage) for part in self.parts[1:] for stage in self._stages(part)]
@@ -194,11 +194,11 @@ class CutDrift:
     def end_acceleration(self) -> Array:
         """(n, 3), the accelerations at its end [m/s², rad/s²]."""
         last = self.parts[-1]
-        return np.asarray((self.laws + last.later_forces @ self._ended.response)[self._places])
+        return np.asarray((self.laws + last.later_forces @ self._ended.response)[self._indices])
 
     @cached_property
-    def _places(self) -> Integers:
-        return order(len(self.start))
+    def _indices(self) -> Integers:
+        return coordinate_indices(len(self.start))
 
     @cached_property
     def _ended(self) -> Kick:
@@ -207,7 +207,7 @@ class CutDrift:
         return last.kick.at_pose(last.end)
 
     @cached_property
-    def _led(self) -> DriftPart:
+    def _led(self) -> Subdrift:
         """The part whose forces stand for the kick before the drift.
 
         It is the whole drift, without landings; but the first part if a rope becomes taut only
@@ -221,7 +221,7 @@ class CutDrift:
         jerks = abs(self._work(whole)) > abs(self._work(first)) + least
         return first if jerks or _catches(whole, first) else whole
 
-    def _work(self, part: DriftPart) -> float:
+    def _work(self, part: Subdrift) -> float:
         """Return the work of the joints in a whole kick before a part [J]."""
         duration, rows = self.whole.kick_duration, part.kick.layout.joints
         mean = part.start_velocity + duration / 2 * (self.laws + part.constraint_acceleration)
@@ -250,62 +250,62 @@ class CutDrift:
         are the kicks from there on, up to the velocities before the whole kick after it.
         """
         ended = [stage.velocity for stage in stages]
-        velocity_before, places = [after, *ended[:-1]], self._places
+        velocity_before, indices = [after, *ended[:-1]], self._indices
         displacement = np.zeros_like(after)
         for stage, before in zip(stages, velocity_before, strict=True):
             displacement += stage.duration / 2 * (before + stage.velocity)
         for part in self.parts:
-            displacement -= part.drift * part.velocity[places]
+            displacement -= part.drift * part.velocity[indices]
         whole, last = self.whole.drift, self.parts[-1]
         displacement += whole / 2 * (after + ended[-1])
-        free = ((_uncrowded_forces(last) - self._end_forces) @ self._ended.response)[places]
+        free = ((_uncrowded_forces(last) - self._end_forces) @ self._ended.response)[indices]
         displacement -= (whole**2 - last.drift**2) / 8 * free
-        inertia = inertia_of(self.whole.kick.joints.inverse)[places]
-        return float(np.sum((inertia * self.laws[places] * displacement)[self.reached]))
+        inertia = inertia_of(self.whole.kick.joints.inverse)[indices]
+        return float(np.sum((inertia * self.laws[indices] * displacement)[self.reached]))
 
     def _given_less(self) -> Stage:
         """Return the difference between the kick before it and a whole one."""
-        first, whole = self.parts[0], self.whole.kick_duration
-        less = first.forces * first.kick_duration - whole * self._led.forces
-        return Stage.of(first.kick, first.kick_duration - whole, first.velocity[self._places], less)
+        first, full = self.parts[0], self.whole.kick_duration
+        less = first.forces * first.kick_duration - full * self._led.forces
+        return Stage.of(first.kick, first.kick_duration - full, first.velocity[self._indices], less)
 
     def _taken_back(self) -> tuple[Kick, Stage]:
         """Return the excess of the whole kick after it, taken back, and its rows."""
         last, kick, missing, forces = self.parts[-1], self._ended, self._missing, self._end_forces
         end = last.velocity - missing * (self.laws + _balanced(forces, last, kick, missing))
-        return kick, Stage.of(kick, -missing, self._moving(end[self._places]), -missing * forces)
+        return kick, Stage.of(kick, -missing, self._moving(end[self._indices]), -missing * forces)
 
-    def _stages(self, part: DriftPart) -> tuple[Stage, ...]:
+    def _stages(self, part: Subdrift) -> tuple[Stage, ...]:
         """Return the stages at the beginning of a part."""
-        velocity, rest = part.velocity[self._places], part.forces * part.kick_duration
+        velocity, rest = part.velocity[self._indices], part.forces * part.kick_duration
         return *part.stages, Stage.of(part.kick, part.kick_duration, velocity, rest)
 
     def _kick_record(self, kick: Kick, stage: Stage) -> KickBetweenParts:
         """Return a stage, limited to the bodies and joints that take part in the landings."""
         joints = kick.layout.joints
         some = stage.among(self.reached, rows_acting_on(kick, self.reached)[joints])
-        jacobian = -kick.rows_at_start.jacobian[joints][:, self._places]
+        jacobian = -kick.rows_at_start.jacobian[joints][:, self._indices]
         moving = some._replace(velocity=self._moving(stage.velocity))
         return KickBetweenParts(self._body_poses(kick.pose), jacobian, moving)
 
     def _moving(self, velocity: Array) -> Array:
         """Return velocities, (n, 3), with those of the whole drift for all other bodies."""
-        return np.where(self.reached[:, None], velocity, self.whole.velocity[self._places])
+        return np.where(self.reached[:, None], velocity, self.whole.velocity[self._indices])
 
-    def _body_poses(self, there: Coordinates) -> Array:
+    def _body_poses(self, coordinates: Coordinates) -> Array:
         """Return the positions of the bodies: (n, 3) [m, rad]."""
-        displacement = there.values - self.whole.kick.pose.values
-        return self.start + displacement[self._places]
+        displacement = coordinates.values - self.whole.kick.pose.values
+        return self.start + displacement[self._indices]
 
 
-def _catches(whole: DriftPart, first: DriftPart) -> bool:
+def _catches(whole: Subdrift, first: Subdrift) -> bool:
     """Return whether a rope becomes taut in a drift, but not before its first landing."""
     joints = whole.kick.layout.joints
     taut, taut_at_first = (part.forces[joints] > 0 for part in (whole, first))
     return bool((whole.kick.joints.pulls_only & taut & ~taut_at_first).any())
 
 
-def _uncrowded_forces(last: DriftPart) -> Array:
+def _uncrowded_forces(last: Subdrift) -> Array:
     """Return the forces of the last part in islands where no gaps of a crowd close: (r,) [N]."""
     kick, layout, forces = last.kick, last.kick.layout, last.later_forces
     closes = kick.ahead & (last.forces[layout.gaps] > 0)
@@ -319,23 +319,23 @@ def _uncrowded_forces(last: DriftPart) -> Array:
     return forces
 
 
-def _balanced(forces: Array, last: DriftPart, kick: Kick, missing: float) -> Array:
+def _balanced(forces: Array, last: Subdrift, kick: Kick, missing: float) -> Array:
     """Return the accelerations by forces of the last part, at its end: (3 N,) [m/s², rad/s²].
 
     `kick` has the rows there. Large forces cancel on a light body between heavy ones, but not with
     the rows of another place: traced back over the `missing` time [s], they would give it far more
     than its velocity. Its own are those at the beginning of the part.
     """
-    there, then = forces @ kick.response, forces @ last.kick.response
-    weights, places = inertia_of(kick.joints.inverse), order(kick.acts.shape[1])
-    speeds = missing * (there - then), np.abs(last.velocity) + missing * np.abs(then)
-    gains, has = (np.sqrt(weights * v * v)[places].max(axis=1) for v in speeds)
-    unsure = np.zeros(len(then), dtype=bool)
-    unsure[places] = (gains > UNSURE * has)[:, None]
-    return np.where(unsure, then, there)
+    at_end, at_start = forces @ kick.response, forces @ last.kick.response
+    weights, indices = inertia_of(kick.joints.inverse), coordinate_indices(kick.acts.shape[1])
+    speeds = missing * (at_end - at_start), np.abs(last.velocity) + missing * np.abs(at_start)
+    added_speed, last_speed = (np.sqrt(weights * v * v)[indices].max(axis=1) for v in speeds)
+    unsure = np.zeros(len(at_start), dtype=bool)
+    unsure[indices] = (added_speed > UNSURE * last_speed)[:, None]
+    return np.where(unsure, at_start, at_end)
 
 
-def _traced_forces(last: DriftPart, laws: Array, missing: float, reached: Booleans) -> Array:
+def _traced_forces(last: Subdrift, laws: Array, missing: float, reached: Booleans) -> Array:
     """Return the forces of the last part that may stand for a whole kick after it: (r,).
 
     Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would give

@@ -1,14 +1,14 @@
-"""The stage of the schemes of higher order: several drifts and kicks, some backwards in time."""
+"""The plugin of the schemes of higher order: several drifts and kicks, some backwards in time."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.scene.composition_schemes import composition, substeps
-from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 
-def make(setup: Setup) -> Stage:
-    """Make the stage: all drifts and kicks of a step but the last, which every step has."""
+def make(setup: Setup) -> Plugin:
+    """Make the plugin: all drifts and kicks of a step but the last, which every step has."""
     leading = LeadingSubsteps(setup)
-    return Stage(before_drift=leading.take, pre_kick_velocity=leading.pre_kick_velocity)
+    return Plugin(before_drift=leading.take, pre_kick_velocity=leading.pre_kick_velocity)
 
 
 class LeadingSubsteps:

@@ -1,28 +1,28 @@
-"""The register of stages: the condition for each, and its maker.
+"""The register of plugins: the condition for each, and its maker.
 
-A stage is imported only if a level needs it.
+A plugin is imported only if a level needs it.
 """
 
 from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from math import isfinite
 
-from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 _ROOM = __name__.rpartition(".")[0]
 
 
-def declared(setup: Setup) -> Iterator[Stage]:
-    """Yield the stages that a level needs, in the order in which they act."""
-    for wanted, make in STAGES.values():
+def declared(setup: Setup) -> Iterator[Plugin]:
+    """Yield the plugins that a level needs, in the order in which they act."""
+    for wanted, make in PLUGINS.values():
         if wanted(setup):
             yield make(setup)
 
 
-def _by(module: str) -> Callable[[Setup], Stage]:
+def _by(module: str) -> Callable[[Setup], Plugin]:
     """Return a maker that calls the function `make` of a module of this folder."""
 
-    def make(setup: Setup) -> Stage:
+    def make(setup: Setup) -> Plugin:
         return import_module(f"{_ROOM}.{module}").make(setup)
 
     return make
@@ -38,7 +38,7 @@ def _has_cuts(setup: Setup) -> bool:
     return setup.leapfrog and alone and any(located is not None for located in named)
 
 
-STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] = {
+PLUGINS: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Plugin]]] = {
     "events that act": (lambda s: s.level.has_events, _by("events_within_step")),
     "force laws": (lambda s: s.forces.acts, _by("force_laws")),
     "motions of kinematic bodies": (_has_motions, _by("kinematic_bodies")),
@@ -50,4 +50,4 @@ STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] =
     "several drifts and kicks": (lambda s: s.stepping.is_composed, _by("composition_substeps")),
     "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("grid_bounds")),
 }
-"""The condition for each stage, and its maker."""
+"""The condition for each plugin, and its maker."""

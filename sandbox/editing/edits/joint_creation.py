@@ -78,11 +78,11 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Edi
             count=len(chosen),
         )
     where = placed(level)
-    said = _MADE.get(kind, _line)(list(chosen), where)
+    joint = _MADE.get(kind, _line)(list(chosen), where)
     name = new_name(kind, level)
     if kind == "motor":
         text = _unpinned(text, level, chosen)
-    added = put(_apart(text, level, chosen, where), ("joints", name), {"type": kind, **said})
+    added = put(_apart(text, level, chosen, where), ("joints", name), {"type": kind, **joint})
     return EditResult(accepted(*_turning(added, level, kind)), (name,))
 
 
@@ -96,11 +96,11 @@ def _turning(added: str, level: Level, kind: str) -> tuple[str, ...]:
 
 def _unpinned(text: str, level: Level, chosen: Sequence[Pick]) -> str:
     """Return a level without the pivots that hold the same two parts at the same point."""
-    there, parts = complex(*chosen[0].point), {pick.body for pick in chosen[:2]}
+    point, parts = complex(*chosen[0].point), {pick.body for pick in chosen[:2]}
     for name, joint in level.joints.items():
         if not isinstance(joint, Pivot) or {body_of(end) for end in joint.ends} != parts:
             continue
-        if abs(end_position(joint.ends[0], level.bodies, level.defaults) - there) <= OVERLAP:
+        if abs(end_position(joint.ends[0], level.bodies, level.defaults) - point) <= OVERLAP:
             text = without_meaning(remove(text, ("joints", name)))
     return text
 
@@ -112,8 +112,8 @@ def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> st
         return text
     if distance(where[bodies[0]], where[bodies[1]]) > -OVERLAP:
         return text
-    known = json.loads(text).get("effects", {}).get("contact", {}).get("apart", ())
-    return put(text, ("effects", "contact", "apart", len(known)), bodies)
+    pairs = json.loads(text).get("effects", {}).get("contact", {}).get("apart", ())
+    return put(text, ("effects", "contact", "apart", len(pairs)), bodies)
 
 
 def end(pick: Pick, where: Bodies) -> Json:

@@ -36,11 +36,11 @@ def set_ghost(text: str, body: str, position: tuple[Json, Json]) -> str:
 
 def flight(level: Level, body: str) -> tuple[Json, Json]:
     """Return the closed form of free flight: x + v t + a t²/2."""
-    said, gravity = level.bodies[body], level.effects.gravity
+    spec, gravity = level.bodies[body], level.effects.gravity
     pull = gravity.acceleration if gravity is not None else (None, None)
     x, y = (
         " + ".join(_terms(place, speed, along))
-        for place, speed, along in zip(said.position, said.velocity, pull, strict=True)
+        for place, speed, along in zip(spec.position, spec.velocity, pull, strict=True)
     )
     return x, y
 

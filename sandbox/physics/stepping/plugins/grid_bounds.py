@@ -1,4 +1,4 @@
-"""The stage that stops a run if a body leaves the grid in which pymunk finds pairs."""
+"""The plugin that stops a run if a body leaves the grid in which pymunk finds pairs."""
 
 from math import hypot
 
@@ -8,7 +8,7 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.drifts_and_kicks import Kicks
-from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.step_plugin import Plugin, Setup
 
 LOOK = 16
 """The steps between two checks far from the bounds."""
@@ -17,9 +17,9 @@ FASTER = 1e4
 """The growth of distances and speeds that impacts and springs cannot reach in so many steps."""
 
 
-def make(setup: Setup) -> Stage:
-    """Make the stage."""
-    return Stage(before_drift=GridBounds(setup.scene, setup.kicks).check)
+def make(setup: Setup) -> Plugin:
+    """Make the plugin."""
+    return Plugin(before_drift=GridBounds(setup.scene, setup.kicks).check)
 
 
 def out_of_bounds(name: str, scene: Scene, t: float) -> SimulationError:

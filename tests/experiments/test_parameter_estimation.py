@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sandbox.experiments.fitting import FitError, fit
 from sandbox.experiments.measured_data import Data, DataError, read
+from sandbox.experiments.parameter_estimation import FitError, fit
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 

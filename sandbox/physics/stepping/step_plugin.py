@@ -1,6 +1,6 @@
-"""The contract of a stage: a part of a step that only some levels need.
+"""The contract of a plugin: a part of a step that only some levels need.
 
-A step is a drift and a kick. All other things that a level declares take part in it as a *stage*,
+A step is a drift and a kick. All other things that a level declares take part in it as a *plugin*,
 which names the moments at which it acts. In the order of a step, these are
 
     before_drift    between two kicks: it may change positions and velocities, and must then pass
@@ -14,9 +14,9 @@ and outside the steps
     started         after the first kick was found
     refit           after bodies were moved by hand, from where the run continues
 
-A stage in a kick also acts in kicks of bodies that are held in place, which are repeated until they
-converge, and must do the same each time. It never accesses the world, and other stages only through
-the scene.
+A plugin in a kick also acts in kicks of bodies that are held in place. These are repeated until
+they converge, and the plugin must do the same each time. It never accesses the world, and other
+plugins only through the scene.
 """
 
 from collections.abc import Callable, Sequence
@@ -38,7 +38,7 @@ Act = Callable[[], None]
 
 
 class Setup(NamedTuple):
-    """The inputs of a stage: the level, its parameters, and its scene, forces and kicks."""
+    """The inputs of a plugin: the level, its parameters, and its scene, forces and kicks."""
 
     level: Level
     values: Values
@@ -57,8 +57,8 @@ Begin = Callable[[Setup], None] | None
 """Sets the initial state of a scene, if that is not the level's start."""
 
 
-class Stage(NamedTuple):
-    """The moments at which a stage acts, and its outputs; see the contract above.
+class Plugin(NamedTuple):
+    """The moments at which a plugin acts, and its outputs; see the contract above.
 
     Attributes
     ----------
@@ -79,7 +79,7 @@ class Stage(NamedTuple):
         Returns the velocities at the beginning of the last kick, if they are not those after the
         step before it: (n, 3) [m/s, rad/s].
     record
-        Adds the actions of the stage in a step to its record.
+        Adds the actions of the plugin in a step to its record.
     calls
         The number of Python calls in a step for it, outside kicks.
     """
@@ -97,40 +97,41 @@ class Stage(NamedTuple):
     calls: int = 0
 
 
-class Stages:
-    """The stages of a world, in order at each moment.
+class Plugins:
+    """The plugins of a world, in order at each moment.
 
     Attributes
     ----------
     before_drift, after_step
         The calls at these moments; most levels have none.
     started, refit, contacts, impacts, pre_kick_velocity, record
-        See `Stage`.
+        See `Plugin`.
     calls
         The number of Python calls in a step for all of them, outside kicks.
     """
 
-    def __init__(self, stages: Sequence[Stage], kicks: Kicks) -> None:
-        self.before_drift = tuple(s.before_drift for s in stages if s.before_drift)
-        self.after_step = tuple(s.after_step for s in stages if s.after_step)
-        self.started = tuple(s.started for s in stages if s.started)
-        self.refit = tuple(s.refit for s in stages if s.refit)
-        self.contacts = next((s.contacts for s in stages if s.contacts), None)
-        self.impacts = next((s.impacts for s in stages if s.impacts), None)
+    def __init__(self, plugins: Sequence[Plugin], kicks: Kicks) -> None:
+        self.before_drift = tuple(p.before_drift for p in plugins if p.before_drift)
+        self.after_step = tuple(p.after_step for p in plugins if p.after_step)
+        self.started = tuple(p.started for p in plugins if p.started)
+        self.refit = tuple(p.refit for p in plugins if p.refit)
+        self.contacts = next((p.contacts for p in plugins if p.contacts), None)
+        self.impacts = next((p.impacts for p in plugins if p.impacts), None)
         self.pre_kick_velocity = next(
-            (s.pre_kick_velocity for s in stages if s.pre_kick_velocity), None
+            (p.pre_kick_velocity for p in plugins if p.pre_kick_velocity), None
         )
-        self.record = tuple(s.record for s in stages if s.record)
-        self.calls = sum(s.calls for s in stages)
+        self.record = tuple(p.record for p in plugins if p.record)
+        self.calls = sum(p.calls for p in plugins)
         kicks.add_calls(
-            [s.in_kick for s in stages if s.in_kick], [s.after_kick for s in stages if s.after_kick]
+            [p.in_kick for p in plugins if p.in_kick],
+            [p.after_kick for p in plugins if p.after_kick],
         )
 
 
 def set_up(
     level: Level, values: Values, stepping: Stepping, scene: Scene, begin: Begin = None
 ) -> Setup:
-    """Return the inputs of the stages of a world."""
+    """Return the inputs of the plugins of a world."""
     has_contacts = level.effects.contact is not None
     # joints alternate with contacts: there a kick begins with their last force
     warm_started = scene.joints.together if has_contacts and scene.direct is None else None
