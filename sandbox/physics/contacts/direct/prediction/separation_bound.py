@@ -53,7 +53,7 @@ class Separation:
         here, there = self._here, self._there
         return [
             parts
-            for parts in self._shapes.pairs(pair)
+            for parts in self._shapes.near(pair, here, there, resting)
             if not _stay_apart(here.both(pair, parts), there.both(pair, parts), falls)
         ]
 
