@@ -65,6 +65,8 @@ class Pairs(NamedTuple):
     """See `Contacts`."""
     is_unique: bool
     """Whether each two bodies have at most one pair, so that the order is unique."""
+    none: tuple[NDArray[np.float64], ...]
+    """`normal`, `friction` and `impulse` of `Contacts` without impulses."""
 
 
 class Arbiters:
@@ -98,17 +100,18 @@ class Arbiters:
         integer, floating = self._raw
         if self.pairs is None or integer != self.pairs.raw:
             self.pairs = self._read_pairs(integer)
-        _, rows, bodies, first, touches, is_unique = self.pairs
+        _, rows, bodies, first, touches, is_unique, none = self.pairs
         if not len(rows):
             return None
         floats = np.frombuffer(floating).reshape(-1, 12).take(rows, axis=0)
         impulse, direction = floats[:, :2], floats[:, 2:4]
-        one, other = floats.view(complex)[:, 2::2], floats.view(complex)[:, 3::2]  # on the surfaces
-        overlap = one - other
-        depth = overlap.real * direction[:, :1] + overlap.imag * direction[:, 1:]
-        points = ((one + other) / 2).view(float).reshape(-1, 2, 2)
+        on_surfaces = floats.reshape(-1, 6, 2)[:, 2:]
+        one, other = on_surfaces[:, ::2], on_surfaces[:, 1::2]
+        overlap = (one - other) * direction[:, None]
+        depth = overlap[..., 0] + overlap[..., 1]
+        points = (one + other) / 2
         if is_unique and not self._has_impulses:
-            (normal, friction), impulse = np.zeros((2, len(rows))), np.zeros((len(rows), 2))
+            normal, friction, impulse = none
         else:
             normal, friction, impulse = _split(impulse, direction)
         return bodies, first, direction, normal, friction, touches, points, impulse, depth
@@ -122,7 +125,8 @@ class Arbiters:
         rows, bodies = live[order], bodies[order]
         is_unique = bool((bodies[1:] != bodies[:-1]).any(axis=1).all())
         first, touches = integers[rows, 2] > 0, integers[rows, 3].astype(np.intp)
-        return Pairs(integer, rows, bodies, first, touches, is_unique)
+        none = np.zeros(len(rows)), np.zeros(len(rows)), np.zeros((len(rows), 2))
+        return Pairs(integer, rows, bodies, first, touches, is_unique, none)
 
 
 def _split(

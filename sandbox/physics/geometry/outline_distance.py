@@ -174,7 +174,7 @@ def _nearest(
     Beside an edge the normal is that of the edge, which is accurate at any distance. Points further
     away than the `closest` known distance [m], or than one found here, are left out.
     """
-    if len(other) == 1:
+    if not edges:
         return [_to_point(p, other[0]) for p in one]
     found = []
     for p in one:

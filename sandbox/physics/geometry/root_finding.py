@@ -12,10 +12,10 @@ TRIES = 60
 def root(function: Callable[[float], float], until: float, close: float = CLOSE) -> float:
     """Return a root of a falling function between 0 and `until`; inf if it is still positive there.
 
-    Absolute values up to `close` count as 0. It uses the Illinois method, false position with the
-    value at a retained end halved.
+    Absolute values up to `close` count as 0. It uses the Illinois method: false position, with the
+    value at an end halved that is retained twice in a row.
     """
-    low, high = 0.0, until
+    low, high, retained = 0.0, until, 0
     above, below = function(low), function(high)
     if below > 0:
         return inf
@@ -27,9 +27,10 @@ def root(function: Callable[[float], float], until: float, close: float = CLOSE)
         if abs(now) <= close:
             return middle
         if now > 0:
-            low, above, below = middle, now, below / 2
+            low, above, below = middle, now, below / 2 if retained == 1 else below
         else:
-            high, below, above = middle, now, above / 2
+            high, below, above = middle, now, above / 2 if retained == -1 else above
+        retained = 1 if now > 0 else -1
     return high
 
 

@@ -35,6 +35,14 @@ def test_corners_that_rounding_puts_at_one_place_have_no_side_between_them() -> 
     assert gap(SQUARE, [c + 2 for c in flat], 0.0).distance == pytest.approx(2)
 
 
+def test_shapes_so_far_away_that_rounding_leaves_one_place_are_points() -> None:
+    far = 1e95 + 1e95j, -1e64 + 0j
+
+    found = gap([c + far[0] for c in SQUARE], [c + far[1] for c in SQUARE], 0.0)
+
+    assert found.distance == pytest.approx(abs(far[0]), rel=1e-12)
+
+
 def test_an_overlap_is_a_negative_gap_along_the_shortest_way_out() -> None:
     found = gap(SQUARE, [c + 0.3 - 1.8j for c in SQUARE], 0.0)
 

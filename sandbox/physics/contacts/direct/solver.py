@@ -218,7 +218,7 @@ class DirectSolver:
         if leaning is not None:
             taken = solve_kick(leaning, start, self._warm)
         self.last, self.stages, self._taken = taken.impacts or self._calm, taken.stages, taken
-        self._batch.set_velocity(taken.velocity[self._order])
+        self._batch.set_velocity(taken.velocity.take(self._order))
         self._warm.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.impulse, taken.active)
 

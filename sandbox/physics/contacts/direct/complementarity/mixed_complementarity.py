@@ -245,8 +245,8 @@ class _Scaled:
     def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether the active rows are kept, and do not contradict each other."""
         off, blur = np.abs(rate), max_abs(self._blur)
-        if not np.count_nonzero(active.on & ~(off <= blur)):  # nearly always
-            return True
+        if off.item(off.argmax()) <= blur or not np.count_nonzero(active.on & ~(off <= blur)):
+            return True  # nearly always
         allowed: Array | float = CONTRADICTS * self._asked
         if self._lets < inf:
             allowed = np.minimum(allowed, self._lets / self._size)

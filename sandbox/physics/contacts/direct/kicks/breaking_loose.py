@@ -26,7 +26,7 @@ def with_breakaway(
     it was applied suddenly: the contact breaks loose at the step.
     """
     layout, friction = kick.layout, kick.layout.problem.friction
-    if last_two is None or last_two[0].layout is not layout:
+    if last_two is None or last_two[0].layout is not layout or not np.count_nonzero(slip):
         return None
     last, before = last_two
     load, older = np.abs(last.forces[layout.slips]), np.abs(before[layout.slips])

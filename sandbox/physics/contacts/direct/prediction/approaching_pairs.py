@@ -81,10 +81,12 @@ class ApproachingPairs:
         self._touch: Integers | None = None  # the contacts then
         self._ahead = b""  # the displacements that were expected then
         self._found: list[Pair] = []  # its result
+        self._collide: set[Pair] = set()  # those that are known to collide
 
     def forget(self) -> None:
         """Look at all pairs anew: joints changed, and what was one solid may collide."""
         self._room[:], self._seen = 0.0, None
+        self._collide.clear()
 
     def near(self, contacts: Contacts, pose: Coordinates, displacement: Array) -> list[Pair]:
         """Return the pairs that may meet in the drift: out of contact, or in contact elsewhere.
@@ -225,8 +227,13 @@ class ApproachingPairs:
 
     def _never_meet(self, pair: Pair) -> bool:
         """Return whether two bodies do not collide, or are parts of one solid."""
+        if pair in self._collide:
+            return False
         one, other = (self._bodies[body] for body in pair)
-        return not meets(one, other) or _are_one(one, other)
+        if meets(one, other) and not _are_one(one, other):
+            self._collide.add(pair)
+            return False
+        return True
 
 
 def _on_sides(hit: Hit, path: Path, both: tuple[Outline, Outline]) -> Hit:

@@ -4,7 +4,6 @@ They have few corners, and a step needs few of them, so plain numbers are faster
 """
 
 from collections.abc import Iterator, Sequence
-from itertools import product
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -14,11 +13,12 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.physics.geometry import outline_distance
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
+from sandbox.physics.state.anchor import Complexes
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.space_arrays import Booleans
 
-POSITION_ROUNDING = 2
+PLACEMENTS = 2
 """How many placements are remembered: those at the start and at the end of a drift."""
 
 TOUCHING = 1e-7
@@ -138,20 +138,32 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[ConvexPart]:
 class PlacedParts:
     """The parts of bodies at some positions; each is placed when it is first asked for.
 
-    `parts` are those of each body, along its axes.
+    `parts` are those of each body, along its axes. `last` are the parts as last placed, by body and
+    number, with their bodies' positions: those of bodies that have not moved since are reused.
     """
 
-    def __init__(self, parts: Sequence[Sequence[ConvexPart]], pose: Coordinates) -> None:
-        self._parts, self.pose = parts, pose
-        self._plane: list[complex] = pose.position.tolist()
-        self._turned: list[complex] = pose.rotation.tolist()
+    def __init__(
+        self,
+        parts: Sequence[Sequence[ConvexPart]],
+        pose: Coordinates,
+        last: dict[Pair, tuple[complex, complex, ConvexPart]],
+    ) -> None:
+        self._parts, self.pose, self._last = parts, pose, last
+        self._positions: list[complex] = pose.position.tolist()
+        self._rotations: list[complex] = pose.rotation.tolist()
         self._known: dict[Pair, ConvexPart] = {}
 
     def part(self, body: int, number: int) -> ConvexPart:
         """Return a part of a body."""
         if (part := self._known.get((body, number))) is None:
-            where, rotation = self._plane[body], self._turned[body]
-            part = self._known[body, number] = self._parts[body][number].placed(where, rotation)
+            where, rotation = self._positions[body], self._rotations[body]
+            last = self._last.get((body, number))
+            if last and last[0] == where and last[1] == rotation:
+                part = last[2]
+            else:
+                part = self._parts[body][number].placed(where, rotation)
+                self._last[body, number] = where, rotation, part
+            self._known[body, number] = part
         return part
 
     def both(self, bodies: Pair, numbers: Pair) -> tuple[ConvexPart, ConvexPart]:
@@ -176,14 +188,15 @@ class ConvexParts:
         self.single: Booleans = np.array([len(own) == 1 for own in parts], dtype=bool)
         self.reach = np.array([max((p.reach for p in own), default=np.inf) for own in parts])
         self._placed: dict[bytes, PlacedParts] = {}  # the last ones, by the bodies' positions
+        self._last: dict[Pair, tuple[complex, complex, ConvexPart]] = {}
 
     def at(self, pose: Coordinates) -> PlacedParts:
         """Return the parts with the bodies at some positions; the last placements are reused."""
         where = pose.values.tobytes()
         if (parts := self._placed.pop(where, None)) is None:
-            parts = PlacedParts(self.parts, pose)
+            parts = PlacedParts(self.parts, pose, self._last)
         self._placed[where] = parts
-        if len(self._placed) > POSITION_ROUNDING:
+        if len(self._placed) > PLACEMENTS:
             del self._placed[next(iter(self._placed))]
         return parts
 
@@ -197,10 +210,20 @@ class ConvexParts:
             near = np.argwhere(self._between(pair, parts.pose) < 0)
             yield from ((int(first), int(second)) for first, second in near.tolist())
 
-    def pairs(self, pair: Pair) -> Iterator[Pair]:
-        """Yield all pairs of parts of two bodies."""
-        one, other = (range(len(self.parts[body])) for body in pair)
-        return product(one, other)
+    def near(self, pair: Pair, here: PlacedParts, there: PlacedParts, fall: float) -> list[Pair]:
+        """Return the pairs of parts of two bodies that may meet between two placements.
+
+        For all others the enclosing discs stay apart along the direction between them at first, in
+        which they come closer by at most `fall` more than at both placements [m].
+        """
+        a, b = pair
+        if self.single[a] and self.single[b]:
+            return [(0, 0)]
+        displacement, apart = self._displacements(pair, here.pose)
+        later, _ = self._displacements(pair, there.pose)
+        around = self._radius[a][:, None] + self._radius[b] + fall
+        far = (apart > around) & ((later * displacement.conj()).real > around * apart)
+        return [(int(first), int(second)) for first, second in np.argwhere(~far).tolist()]
 
     def gap(self, pair: Pair, parts: PlacedParts, *, beside: bool = False) -> float:
         """Return a lower bound of the distance between two bodies [m].
@@ -224,5 +247,11 @@ class ConvexParts:
     def _between(self, pair: Pair, pose: Coordinates) -> Array:
         """Return the distances between the enclosing discs of two bodies' parts: (k, l) [m]."""
         a, b = pair
+        apart = self._displacements(pair, pose)[1]
+        return np.asarray(apart - self._radius[a][:, None] - self._radius[b])
+
+    def _displacements(self, pair: Pair, pose: Coordinates) -> tuple[Complexes, Array]:
+        """Return the displacements between the middles of two bodies' parts, and their lengths."""
         one, other = (pose.position[c] + self._middle[c] * pose.rotation[c] for c in pair)
-        return np.asarray(np.abs(one[:, None] - other) - self._radius[a][:, None] - self._radius[b])
+        displacement = other - one[:, None]
+        return displacement, np.abs(displacement)

@@ -53,7 +53,7 @@ class Separation:
         start, end = self._start, self._end
         return [
             parts
-            for parts in self._shapes.pairs(pair)
+            for parts in self._shapes.near(pair, start, end, resting)
             if not _stay_apart(start.both(pair, parts), end.both(pair, parts), falls)
         ]
 

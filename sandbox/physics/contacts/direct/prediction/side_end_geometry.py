@@ -89,7 +89,8 @@ class PointsOnSides(NamedTuple):
         within = np.where(on, np.minimum(seen[:, None] - begin, end - seen[:, None]), -inf)
         number = within.argmax(axis=1)
         begin, end = begin[each, number], end[each, number]
-        number[~on.any(axis=1)] = -1
+        owned = features.is_owner[:, each].any(axis=0)  # else an end touches, beside its side
+        number[~(owned & on.any(axis=1))] = -1
         return cls(side, other, number, point, seen, begin, end, np.asarray(lies.any(axis=1)))
 
     def distance_left(self, way: int) -> Array:

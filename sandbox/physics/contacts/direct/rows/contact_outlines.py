@@ -110,9 +110,9 @@ class Outlines(NamedTuple):
         if not self.sided:
             return direction, np.full(direction.shape, np.inf)
         off = np.abs(self.normals - direction[..., None])
-        nearest = off.argmin(axis=-1)[..., None]
-        normals, off = (np.take_along_axis(of, nearest, -1)[..., 0] for of in (self.normals, off))
-        return normals, off.real
+        nearest = off.argmin(axis=-1)
+        nearest += np.arange(0, off.size, off.shape[-1]).reshape(nearest.shape)
+        return self.normals.take(nearest), off.take(nearest)
 
     def from_corners(self, points: Complexes) -> Array:
         """Return how far points are from the nearest corner, along their own axes: (2, k) [m]."""

@@ -7,7 +7,7 @@ import numpy as np
 from sandbox.physics.contacts.direct.rows.contact_outlines import Figures, Outlines
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 
-FROM_TO = np.array([[-1.0], [1.0]])
+FROM_TO = np.array([[-1.0], [1.0]], dtype=complex)  # as the directions are
 """The sign of the direction from the first body to the second, for each of the two."""
 
 

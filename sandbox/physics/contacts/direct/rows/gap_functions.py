@@ -36,7 +36,7 @@ from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Complexes
 
-OUT = -FROM_TO
+OUT = FROM_TO[::-1]
 """The sign of the direction from each of the two bodies to the other."""
 
 ALIKE = 1e-6

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.physics.contacts.direct.prediction.convex_parts import (
-    POSITION_ROUNDING,
+    PLACEMENTS,
     ConvexPart,
     ConvexParts,
 )
@@ -40,7 +40,7 @@ def test_what_is_asked_for_again_is_placed_already(shapes: ConvexParts) -> None:
 
 def test_only_the_last_places_are_remembered(shapes: ConvexParts) -> None:
     once = shapes.at(somewhere(0))
-    for x in range(1, POSITION_ROUNDING + 1):
+    for x in range(1, PLACEMENTS + 1):
         shapes.at(somewhere(x))
 
     assert shapes.at(somewhere(0)) is not once
