@@ -38,7 +38,7 @@ class Forces:
         self._turns = scene.rotations
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.inverse_mass
         self._bodies, self._warm_started = list(scene.bodies.values()), warm_started
-        self._direct = scene.direct
+        self._direct, self._together = scene.direct, scene.joints.together
         sees_velocity = any(law.effect.depends_on_velocity for law in scene.laws)
         self._extrapolates = leapfrog and (sees_velocity or bool(scene.rotations))
         self._base_acceleration = np.zeros((len(self._bodies), 3))  # acceleration by gravity
@@ -186,6 +186,8 @@ class Forces:
             if self._moment[row]:
                 body.moment = self._moment[row] * fraction[row]
         self._inverse_mass = self._inverse / fraction[:, None]
+        if self._together:
+            self._together.set_inverse(self._inverse_mass)
 
 
 def _path(

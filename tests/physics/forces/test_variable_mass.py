@@ -164,3 +164,29 @@ def test_what_changes_no_mass_has_no_hook() -> None:
 
     assert world.hooks == 0
     assert Meter(world, ["ball.momentum"])(world.snapshot)["ball.momentum"] == 0
+
+
+@pytest.mark.parametrize("solver", ["direct", "iterative"])
+def test_a_cart_under_a_hopper_bears_its_load_and_presses_with_its_mass(solver: str) -> None:
+    """With the initial mass, the direct solver gave forces of 0.8 of these after half a second.
+
+    What lies on the cart slows it by the ratio of their masses.
+    """
+    mu, mass, rate, falls, t = 0.2, 4.0, 2.0, 3.0, 0.5
+    cart = box((0, 0.5), size=(4, 1), mass=mass, friction=1)
+    load = box((0, 1.25), mass=1, velocity=[2, 0], friction=mu)
+    effects = {
+        **GRAVITY,
+        "contact": {"solver": solver},
+        "friction": {"pairs": [{"bodies": ["floor", "cart"], "coefficient": 0}]},
+        "rotation": {},
+        "accretion": [{"body": "cart", "rate": rate, "velocity": [0, -falls]}],
+    }
+    bodies = {"floor": floor(friction=1), "cart": cart, "load": load}
+    world = build(level(bodies, effects, stepping={"rate": 240}))
+    found = measured(world, 120, "cart.contact.normal", "cart.velocity.x")
+
+    weight = (mass + rate * t + 2) * G + rate * falls  # with the load's, on its upper side
+    assert found["cart.contact.normal"][-1] == pytest.approx(weight, rel=1e-6)
+    speed = mu * G * t / (mass + rate * t)  # the momentum that friction gave so far
+    assert found["cart.velocity.x"][-1] == pytest.approx(speed, rel=1e-4)

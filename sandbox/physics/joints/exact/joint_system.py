@@ -55,18 +55,24 @@ class JointSystem:
         self.batch, self.origin = batch, origin
         # one more body: the plane itself, which nothing moves
         self._inverse_moment = np.append(inverse_moment, 0.0)
-        self.inverse = np.concatenate(
-            (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
-        )
-        self._inertia = inertia_of(self.inverse)
-        self._mass = float(self._inertia.sum())  # with moments: the scale of rounding errors
         self.coordinate_indices = coordinate_indices(len(inverse_mass))
+        self.set_inverse(np.column_stack((inverse_mass, inverse_mass, inverse_moment)))
         start = 3 * len(self._inverse_moment)
         self._of_state = np.concatenate(
             (self.coordinate_indices, self.coordinate_indices + start), axis=1
         ).ravel()
         self.length = np.array([equation.length for equation in (*rows, *others)])
         self._lay_out(rows, others)
+
+    def set_inverse(self, inverse: Array) -> None:
+        """Set the inverse masses, twice, and moments of the bodies: (n, 3) [1/kg, 1/(kg m²)].
+
+        Those in the equations of joints stay: exact joints hold no bodies of changing mass.
+        """
+        self.inverse = np.zeros(inverse.size + 3)
+        self.inverse[self.coordinate_indices] = inverse
+        self._inertia = inertia_of(self.inverse)
+        self._mass = float(self._inertia.sum())  # with moments: the scale of rounding errors
 
     def _lay_out(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
         """Make the tables of all equations."""

@@ -17,6 +17,7 @@ from sandbox.physics.contacts.direct.prediction.side_end_geometry import EndCros
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
     AnyCorner,
     SpeculativeContacts,
+    new_to,
 )
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.geometry.root_finding import root
@@ -164,7 +165,8 @@ class MeetingFinder:
 
         They met shortly before the part ends, and more slowly than forces could cause in the rest
         of the drift: nothing else would stop them. Faster ones are left to land. `pairs` are the
-        bodies to consider, which did not touch before.
+        bodies to consider; a part of one that the other already touches is found again, and left
+        out.
         """
         speculative, pose, total = (
             self._speculative,
@@ -175,7 +177,11 @@ class MeetingFinder:
         corners, hits = speculative.approaching.touching(path, 0.0, pairs)
         gives = (ended.time_left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if abs(hit.parting) <= gives]
-        return speculative.contacts(corners, pose, ended.kick.joints.origin, rests)
+        found = speculative.contacts(corners, pose, ended.kick.joints.origin, rests)
+        if not len(found.bodies):
+            return found
+        is_new = new_to(ended.kick.contacts_at(pose), found)
+        return Contacts._make(field[is_new] for field in found)
 
 
 def moments(times: Sequence[float], spacing: float) -> int:

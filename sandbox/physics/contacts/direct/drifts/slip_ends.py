@@ -17,9 +17,6 @@ from sandbox.physics.state.simulation_errors import JointFailure, NoForces
 LEAST = 1e-8
 """m: the end of a slip is located only if the slip would be longer in the drift."""
 
-HALF = 0.5
-"""Friction above this share of its bound may have ended a slip in the kick."""
-
 FEW = 6
 """No ends are located among more rows of friction that affect each other: in larger heaps slips end
 all the time, and chance decides where a body comes to rest."""
@@ -66,6 +63,7 @@ def until_it_stops(
     similar part to begin with.
     """
     shorter, time, times = part, part.drift, SecantMethod(part.drift)
+    ends = _beside(part, ends)
     for _ in range(TRIES):
         slips = ends[shorter.active.slip[ends] != 0]
         if len(slips):
@@ -86,6 +84,16 @@ def until_it_stops(
     return None
 
 
+def _beside(part: Subdrift, ends: Integers) -> Integers:
+    """Return all friction between the bodies of some.
+
+    Where two lines meet, a disc touches both at one point. Either may bear it and its friction.
+    """
+    bodies = np.sort(part.kick.layout.touching.friction_bodies, axis=0)
+    same = (bodies[:, :, None] == bodies[:, None, ends]).all(axis=0)
+    return np.flatnonzero(same.any(axis=1))
+
+
 def _ends(part: Subdrift, laws: Array, slips: Integers) -> float:
     """Return when the first of some slips ends on the parabolas of a part, or beyond its end."""
     first, last = _rates(part, laws, slips)
@@ -94,14 +102,13 @@ def _ends(part: Subdrift, laws: Array, slips: Integers) -> float:
 
 
 def _bears(part: Subdrift) -> Booleans:
-    """Return which friction slips, or may have ended a slip in the kick: (f,)."""
-    slips = part.active.slip != 0
-    if not len(slips):
-        return slips
-    layout = part.kick.layout
-    friction, forces = layout.problem.friction, part.forces
-    bound = friction.kinetic * (friction.has_contact * forces[friction.contact]).sum(axis=0)
-    return (bound > 0) & (slips | (np.abs(forces[layout.slips]) > HALF * bound))
+    """Return which friction slips, or may have ended a slip in the kick: (f,).
+
+    It may be of any size: where a slip is reversed, friction has either sign within one kick.
+    """
+    friction = part.kick.layout.problem.friction
+    bound = friction.kinetic * (friction.has_contact * part.forces[friction.contact]).sum(axis=0)
+    return np.asarray(bound > 0)
 
 
 def _rates(part: Subdrift, laws: Array, rows: Integers) -> Array:

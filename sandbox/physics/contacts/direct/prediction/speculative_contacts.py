@@ -140,7 +140,7 @@ class SpeculativeContacts:
         found = [one for pair in turning for one in self._down(pair, start, end)]
         if not found:
             return []
-        new = _new(self.contacts(found, kick.pose, kick.joints.origin), kick).tolist()
+        new = new_to(kick.contacts, self.contacts(found, kick.pose, kick.joints.origin)).tolist()
         return [corner for corner, is_new in zip(found, new, strict=True) if is_new]
 
     def _down(self, pair: Pair, here: PlacedParts, there: PlacedParts) -> Iterator[AnyCorner]:
@@ -235,16 +235,16 @@ class SpeculativeContacts:
         return ShapeContact(self._bodies[pair[1]], -normal if own else normal, [points], -gap)
 
 
-def _new(found: Contacts, kick: Kick) -> Booleans:
-    """Return which contacts are new to a kick.
+def new_to(known: Contacts, found: Contacts) -> Booleans:
+    """Return which of the contacts that were found, k, are not among those known: (k,).
 
     A rounded corner that rotates ends a little deeper than its row allowed, and is not new. In the
     corner of a bin it meets the wall where it touches the floor; that is new.
     """
-    contacts, (spots, pairs) = kick.contacts, np.nonzero(kick.contacts.touches > _BOTH)
-    far = np.abs(found.points[:, None, 0] - contacts.points[pairs, spots]).max(axis=2)
-    bodies = np.sort(contacts.bodies[pairs], axis=1)
+    spots, pairs = np.nonzero(known.touches > _BOTH)
+    far = np.abs(found.points[:, None, 0] - known.points[pairs, spots]).max(axis=2)
+    bodies = np.sort(known.bodies[pairs], axis=1)
     near = far < np.maximum(SLOP, found.depth)[:, None]
     same = (np.sort(found.bodies, axis=1)[:, None] == bodies).all(axis=2) & near
-    same &= np.abs(found.direction @ contacts.direction[pairs].T) > ALIKE
+    same &= np.abs(found.direction @ known.direction[pairs].T) > ALIKE
     return np.asarray(~same.any(axis=1))
