@@ -79,8 +79,8 @@ class CommandActions:
             "energy": self._show_energy_otherwise,
             "next page": partial(self._turn_on, 1),
             "previous page": partial(self._turn_on, -1),
-            "page down": partial(panels.turn, 0.5),
-            "page up": partial(panels.turn, -0.5),
+            "page down": partial(panels.scroll_pages, 0.5),
+            "page up": partial(panels.scroll_pages, -0.5),
         }
 
     def _of_the_window(self) -> Mapping[str, Callable[[], None]]:
@@ -221,7 +221,7 @@ class CommandActions:
             self._tell(answer)
 
     def _next_field(self) -> None:
-        self._space.panels.go_on(-1 if pygame.key.get_mods() & pygame.KMOD_SHIFT else 1)
+        self._space.panels.move_focus(-1 if pygame.key.get_mods() & pygame.KMOD_SHIFT else 1)
 
     def _find(self) -> None:
         """Focus the search for levels, and show the list if it was hidden.
@@ -266,8 +266,8 @@ class CommandActions:
             space.help = 0
         elif not space.panels.typing and space.panels.focus.leave():
             return
-        elif space.panels.typing or space.panels.sought:
-            space.panels.let_go()
+        elif space.panels.typing or space.panels.search_text:
+            space.panels.leave_field()
         elif space.panels.home.open and not space.empty:
             space.go_home()
         elif space.session is not None and space.session.stay():
@@ -275,7 +275,7 @@ class CommandActions:
         elif space.hand.tape is not None:
             space.hand.tape = None
         elif stopwatch.shown:
-            stopwatch.put_away()
+            stopwatch.hide()
         else:
             self._quit()
 

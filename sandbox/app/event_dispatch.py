@@ -50,7 +50,7 @@ class Events:
         panels = self._space.panels
         typed = panels.typing and event.type == pygame.KEYDOWN
         busy = typed or panels.dialog is not None
-        return panels.side is not None and not busy and panels.side.zooms(event)
+        return panels.side is not None and not busy and panels.side.zoom_page(event)
 
     def leave_fields(self) -> None:
         """Apply what was typed into a field that has lost the focus."""
@@ -111,14 +111,14 @@ class Events:
         """Let a key begin the answer to a question of the page, and return whether it does."""
         panels, side = self._space.panels, self._space.panels.side
         hidden = self._space.help or panels.home.open
-        return side is not None and not hidden and side.answers(event)
+        return side is not None and not hidden and side.focus_answer_field(event)
 
     def _click(self, event: pygame.event.Event) -> None:
         """Pass an event to the list, the controls, the side panel, or the stage."""
         space = self._space
-        if path := space.panels.wanted(event):
+        if path := space.panels.chosen_level(event):
             space.open_file(without_links(path))
-        elif space.panels.accepts(event):
+        elif space.panels.accepts_offer(event):
             space.run_as_advised()
         elif chosen := space.panels.pressed(event):
             self._commands.do(chosen)
@@ -144,7 +144,7 @@ class Events:
 
     def _seek(self, event: pygame.event.Event) -> bool:
         """Go to the time that was clicked or dragged to on the time bar; return whether one was."""
-        share, session = self._space.panels.controls.sought(event), self._space.session
+        share, session = self._space.panels.controls.clicked_share(event), self._space.session
         if share is None or session is None:
             return share is not None
         try:

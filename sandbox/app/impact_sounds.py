@@ -60,12 +60,12 @@ class Sounds:
         if not blows or self._rest > 0 or not self._ready():
             return 0
         self._rest = APART
-        hardest = sorted(blows, key=lambda blow: -blow.share)[:AT_ONCE]
+        hardest = sorted(blows, key=lambda blow: -blow.strength)[:AT_ONCE]
         for blow in hardest:
             sound = self._sound(semitones(world.scene.mass, blow.body))
             channel = pygame.mixer.find_channel()
             if channel is not None:
-                channel.set_volume(blow.share)
+                channel.set_volume(blow.strength)
                 channel.play(sound)
         return len(hardest)
 

@@ -97,7 +97,7 @@ class Window(Workspace):
     def frame(self, seconds: float) -> None:
         """Handle events, advance by some time [s], and draw."""
         begun, side, self._stepped = perf_counter(), self.panels.side, 0.0
-        kind = side.coming(seconds) if side is not None else ""
+        kind = side.due_part(seconds) if side is not None else ""
         with self.hold_up.watched():
             self._pass(seconds, self._allowance.of(kind))
         self._draw(seconds)
@@ -113,7 +113,7 @@ class Window(Workspace):
             self.reload_changed(self.path)
         if self.session is not None:
             self.advising.follow(self.session)
-        self.panels.advise(self.advised)
+        self.panels.offer_rate(self.advised)
         self.panels.update(seconds)
         self.banner.update(seconds)
         if self.session is not None:

@@ -295,7 +295,7 @@ class Workspace:
         If it shows the results of a search, it then shows all levels instead.
         """
         home = self.panels.home
-        if home.open and not self.panels.sought:
+        if home.open and not self.panels.search_text:
             home.leave()
         else:
             home.enter(at or self.path)

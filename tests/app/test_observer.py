@@ -129,7 +129,7 @@ def test_who_observes_is_told_once_on_the_stage_itself(person: Person) -> None:
 def test_the_page_of_the_forces_has_a_button_for_it(person: Person) -> None:
     observe(person, "newton/incline", "block", times=0)
     person.press(pygame.K_j, "j")
-    person.window.panels.turn(9)
+    person.window.panels.scroll_pages(9)
     person.wait()
 
     person.click(person.page(ForcesPage).observer.rect)

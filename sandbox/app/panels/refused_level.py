@@ -49,7 +49,7 @@ class Refusal:
             y = below(sheet.image(drawn, y + GAP))
         sheet.end(y + GAP)
 
-    def turn(self, pages: float) -> None:
+    def scroll_pages(self, pages: float) -> None:
         """Scroll by a multiple of the visible height."""
         container = self._sheet.container
         scroll(container, scrolled(container) + pages * container.rect.height)

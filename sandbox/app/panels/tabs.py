@@ -64,13 +64,13 @@ def rows(pen: Pen, pages: Sequence[Page], width: int) -> list[Sequence[Page]]:
         return max(ends[b] - ends[a] for a, b in pairwise(row_ends)) - gap
 
     for count in range(1, len(pages) + 1):
-        row_ends = min(_parted(len(pages), count), key=longest)
+        row_ends = min(_divisions(len(pages), count), key=longest)
         if longest(row_ends) <= width:
             return [pages[a:b] for a, b in pairwise(row_ends)]
     return [[page] for page in pages]
 
 
-def _parted(pages: int, count: int) -> Iterator[tuple[int, ...]]:
+def _divisions(pages: int, count: int) -> Iterator[tuple[int, ...]]:
     """Yield all divisions of pages into rows, as the indices of the row starts and the end."""
     for breaks in combinations(range(1, pages), count - 1):
         yield 0, *breaks, pages

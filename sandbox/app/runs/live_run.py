@@ -5,12 +5,12 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from sandbox.app.observing import measured_events
-from sandbox.app.observing.earlier_runs import Earlier, RunObservations, kept
+from sandbox.app.observing.earlier_runs import Earlier, RunObservations, with_one_more
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.impacts import ImpactLog, ImpactMarks
 from sandbox.app.observing.measured_events import Milestone
-from sandbox.app.observing.running_checks import Ration, Reading, RunGrader
+from sandbox.app.observing.running_checks import Reading, RunGrader, TimeShare
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.play_speed import Pace
@@ -77,7 +77,7 @@ class LiveRun:
         self.limits = Limits()
         self._patience = TimeLimit()
         self._record()
-        self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
+        self._attempts: TimeShare[Attempt | None] = TimeShare(self._attempt, None)
 
     @property
     def t(self) -> float:
@@ -105,7 +105,7 @@ class LiveRun:
     def keep_as_earlier(self, values: Mapping[str, float]) -> None:
         """Add the run to the earlier ones, before parameters change to the given values."""
         here = RunObservations(self.trail, self.history, self.world)
-        self.earlier = kept(self.earlier, here, values)
+        self.earlier = with_one_more(self.earlier, here, values)
 
     def advance(self) -> None:
         """Take a step with all companions, and record the observations."""
@@ -158,7 +158,7 @@ class LiveRun:
         self.script, self.ahead = (), None
         self.marks.forget_after(self.world.steps)
         if overwritten or branches:
-            self.earlier = kept(self.earlier, left, values, self.t)
+            self.earlier = with_one_more(self.earlier, left, values, self.t)
         if overwritten:
             self.release_what_is_held()
 
@@ -172,7 +172,7 @@ class LiveRun:
             return
         if world is not before:
             if action.kind == "branch" and self.ahead is None:
-                self.earlier = kept(self.earlier, self.farthest, world.values, self.t)
+                self.earlier = with_one_more(self.earlier, self.farthest, world.values, self.t)
             self._go_on_in(world, before, action)
             return
         self.actions.append(action)

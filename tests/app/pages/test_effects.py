@@ -192,7 +192,7 @@ def test_a_setting_that_is_chosen_for_the_changed_run_is_kept_when_its_effect_is
     whatif.toggle(session, "drag")
     chosen = session.world.stepping.at(240)
 
-    whatif.repace(session, chosen)
+    whatif.play_with_stepping(session, chosen)
     whatif.toggle(session, "drag")
 
     assert session.level.stepping == chosen

@@ -13,7 +13,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import CAPACITY
-from sandbox.app.pages.accuracy.background_study import Studying
+from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 from sandbox.app.pages.graph.card import graphs, measured, span_of
 from sandbox.app.pages.graph.chosen_quantities import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
@@ -172,9 +172,9 @@ def test_an_open_graph_has_its_digits_found_out(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_d, "d")
 
-    until(person, lambda: bool(person.window.workers.of(Studying).trust(person.session)))
+    until(person, lambda: bool(person.window.workers.of(BackgroundStudy).trust(person.session)))
 
-    assert not person.window.workers.of(Studying).points
+    assert not person.window.workers.of(BackgroundStudy).points
 
 
 def test_a_quantity_that_is_all_error_has_no_digits() -> None:
@@ -445,7 +445,7 @@ def test_what_is_saved_is_what_is_seen(
     grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
     across = zoomed(grapher).across
     assert across is not None
-    grapher.window.panels.turn(0.3)
+    grapher.window.panels.scroll_pages(0.3)
     grapher.wait(0.1)
 
     grapher.click(grapher.page(GraphPage).button("Save CSV").rect)

@@ -11,7 +11,7 @@ import pytest
 from sandbox.app import film
 from sandbox.app.background import Background
 from sandbox.app.files import save_folder
-from sandbox.app.pages.share.background_film import Filming
+from sandbox.app.pages.share.background_film import FilmWorker
 from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
@@ -211,6 +211,6 @@ def test_where_a_film_was_saved_stays_on_the_page(person: Person) -> None:
     shown = played(person)
     before = pygame.surfarray.array3d(shown._drawn())
 
-    person.window.workers.of(Filming).message = "saved projectile.gif"
+    person.window.workers.of(FilmWorker).message = "saved projectile.gif"
 
     assert not np.array_equal(before, pygame.surfarray.array3d(shown._drawn()))

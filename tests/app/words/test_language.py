@@ -153,7 +153,7 @@ def test_a_language_is_chosen_on_the_page_of_the_settings_and_all_changes_at_onc
     assert person.window.panels.controls.button("help").text == "Hilfe"
     assert person.side.tab("forces page").text == "Kräfte"
     assert person.window.panels.list is not None
-    assert person.window.panels.list.way("home").text == "Übersicht"
+    assert person.window.panels.list.link_button("home").text == "Übersicht"
     choose(person, "English")
 
     assert person.window.panels.controls.button("help").text == "Help"

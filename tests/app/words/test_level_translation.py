@@ -197,14 +197,14 @@ def test_a_level_is_found_by_german_words_and_by_those_of_its_author(
     person.press(pygame.K_SLASH, "/")
     person.type(typed)
 
-    assert person.listed.found[0].title == "Freier Fall"
+    assert person.listed.matching_levels[0].title == "Freier Fall"
 
 
 def test_in_english_no_german_word_finds_a_level(person: Person) -> None:
     person.press(pygame.K_SLASH, "/")
     person.type("freier")
 
-    assert person.listed.found == []
+    assert person.listed.matching_levels == []
 
 
 def test_stars_stay_with_a_challenge_in_whichever_language(

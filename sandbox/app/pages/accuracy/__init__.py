@@ -4,9 +4,9 @@ from sandbox.app.pages.page import Desk, Page, PageCommand, imported
 
 
 def _measure(desk: Desk) -> None:
-    from sandbox.app.pages.accuracy.background_study import Studying
+    from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 
-    desk.worker(Studying).measure_or_cancel(desk.session)
+    desk.worker(BackgroundStudy).measure_or_cancel(desk.session)
 
 
 PAGE = Page(

@@ -59,7 +59,7 @@ class BuildPage:
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Handle a click or a typed text; the editor shows its message."""
-        for line in self.inspector.left():
+        for line in self.inspector.left_lines():
             self._set(line)
         if event.type == UI_BUTTON_PRESSED:
             if not self._press(event.ui_element):
@@ -91,7 +91,7 @@ class BuildPage:
             self._editor.trying.read_run_state(self._session)
             act.do()
             return True
-        return self.palette.press(element) or self.inspector.turn(element)
+        return self.palette.press(element) or self.inspector.toggle_section(element)
 
     def _choose(self, line: Line, element: object) -> None:
         if element is line.slider:
@@ -192,14 +192,17 @@ class BuildPage:
             leave = ButtonAction(
                 say("Do not save"), say("continue without saving (Esc)"), editor.saving.stop_naming
             )
-            below.insert(0, Block("", acts=(save_here, leave)))
-        return sections.above(editor, self._session), [*below, *sections.arranging(editor)]
+            below.insert(0, Block("", actions=(save_here, leave)))
+        return sections.mistakes_and_choices(editor, self._session), [
+            *below,
+            *sections.arranging(editor),
+        ]
 
     def _build(
         self, blocks: Blocks, rows: Sequence[Row], numbers: Collection[json_positions.Path]
     ) -> None:
         above, below = blocks
-        self.inspector.keep()
+        self.inspector.store_typed_texts()
         self._column.clear()
         self._buttons = []
         self._put(above)
@@ -216,7 +219,7 @@ class BuildPage:
                 self._column.heading(block.text)
             elif block.text:
                 self._column.text(block.text, block.color)
-            self._buttons += self._column.buttons(block.acts)
+            self._buttons += self._column.buttons(block.actions)
 
     def _put_name(self) -> None:
         """Make the field for a file name, if one is asked for."""
@@ -230,8 +233,8 @@ class BuildPage:
     def _refresh(self, blocks: Blocks) -> None:
         """Connect the buttons to the present actions."""
         shown = [block for part in blocks for block in part]
-        acts = [act for block in shown for act in block.acts]
-        pressed = [act.caption in block.pressed for block in shown for act in block.acts]
+        acts = [act for block in shown for act in block.actions]
+        pressed = [act.caption in block.pressed for block in shown for act in block.actions]
         self._acts = list(zip(self._buttons, acts, strict=True))
         for button, on in zip(self._buttons, pressed, strict=True):
             press(button, on)

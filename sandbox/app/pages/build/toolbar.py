@@ -10,7 +10,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
-from sandbox.app.pages.build.widget_column import GAP, HEIGHT, SIZE, SMALL, beside
+from sandbox.app.pages.build.widget_column import GAP, HEIGHT, SIZE, SMALL, side_by_side
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet
 from sandbox.app.widgets.widget_helpers import allow, press, show, stretched
@@ -66,15 +66,19 @@ class Palette:
             places = self._places([kind.caption for kind in several], y)
             for kind, place in zip(several, places, strict=True):
                 tip = f"{say(kind.text)} ({kind.key})"
-                self._put(place, kind.name, say(kind.caption), tip, partial(self._take, kind.name))
+                self._put(
+                    place, kind.name, say(kind.caption), tip, partial(self._choose_tool, kind.name)
+                )
             y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
         return y
 
     def _put_joints(self, y: int) -> int:
         captions = list(map(say, self._joints))
-        places = beside(self._sheet.pen, captions, self._sheet.width)
+        places = side_by_side(self._sheet.pen, captions, self._sheet.width)
         for (name, text), place in zip(self._joints.items(), places, strict=True):
-            self._put(place.move(0, y), name, say(name), say(text), partial(self._join, name))
+            self._put(
+                place.move(0, y), name, say(name), say(text), partial(self._choose_joint, name)
+            )
         return y + places[-1].bottom + self._sheet.px(GAP)
 
     def _places(self, captions: Sequence[str], y: int) -> Iterator[pygame.Rect]:
@@ -107,11 +111,11 @@ class Palette:
             act()
         return act is not None
 
-    def _take(self, tool: str) -> None:
+    def _choose_tool(self, tool: str) -> None:
         self._editor.tools.choose(tool)
         self._editor.resume_time()
 
-    def _join(self, kind: str) -> None:
+    def _choose_joint(self, kind: str) -> None:
         self._editor.tools.joining.use(kind)
         self._editor.bench.show()
 

@@ -45,7 +45,7 @@ class ChallengePage:
         )  # fmt: skip
         self.update()
 
-    def leads(self, button: object) -> str | None:
+    def command_of(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
         return "challenges" if button is self.others else None
 

@@ -8,7 +8,7 @@ from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
 from sandbox.app.cards.card import label
-from sandbox.app.observing.running_checks import Ration
+from sandbox.app.observing.running_checks import TimeShare
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
@@ -49,7 +49,9 @@ class EffectsPage:
         caption = say("Reset the effects")
         reset = pygame.Rect(0, y + 4, sheet.room(caption), sheet.px(SWITCH))
         self.reset = sheet.button(reset, caption, say("play the level as it is declared"))
-        self._ration: Ration[tuple[Difference, ...]] = Ration(lambda: whatif.compared(session), ())
+        self._ration: TimeShare[tuple[Difference, ...]] = TimeShare(
+            lambda: whatif.compared(session), ()
+        )
         self._world = session.world
         self._told = sheet.image(self._drawn(), y + sheet.px(SWITCH) + 14)
         self.update()
@@ -120,7 +122,7 @@ class EffectsPage:
             return unchanged(pen, width)
         if session.world is not self._world:
             self._world = session.world
-            self._ration = Ration(lambda: whatif.compared(session), ())
+            self._ration = TimeShare(lambda: whatif.compared(session), ())
         found = self._ration(session.world.steps + 1, hurried=session.playing)
         cost = whatif.cost(session)
         words, disturbed = level_translation.of(session.original), session.world.disturbed

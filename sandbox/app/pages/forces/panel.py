@@ -50,7 +50,7 @@ class ForcesPage:
         self._update_buttons()
         sheet.end(self._place(below(self._image) + 4))
 
-    def leads(self, button: object) -> str | None:
+    def command_of(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
         pressed = (name for name, each in self._overlays.items() if each is button)
         return "observe" if button is self.observer else next(pressed, None)
@@ -70,7 +70,7 @@ class ForcesPage:
         for button, inclined in self._buttons:
             if event.ui_element is button:
                 if self._axes.inclined is not inclined:
-                    self._axes.turn()
+                    self._axes.switch()
                 return ""
         return None
 

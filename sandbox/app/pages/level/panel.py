@@ -76,9 +76,9 @@ class LevelPage:
         """Return the two parts of the errors; none before the first step, when nothing is off."""
         if not self._session.world.steps:
             return NOTHING
-        from sandbox.app.pages.accuracy.background_study import Studying
+        from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 
-        return self._desk.worker(Studying).splits(self._session)
+        return self._desk.worker(BackgroundStudy).splits(self._session)
 
 
 def turn(session: Session) -> str:

@@ -48,7 +48,7 @@ def toggle(session: Session) -> None:
 
     Raises `SandboxError` if one of them cannot run; nothing is changed then.
     """
-    original = whatif.at_its_pace(session)
+    original = whatif.declared_with_present_stepping(session)
     session.play_as(original, [] if racing(session) else rivals(original, session.chosen))
 
 
@@ -65,7 +65,7 @@ def _forms(level: Level, values: Values) -> Iterator[Level]:
     for scheme in usable(level):
         if scheme == level.stepping.scheme:
             continue
-        form = whatif.stepped(level, scheme)
+        form = whatif.with_scheme(level, scheme)
         with suppress(SandboxError):  # its steps may be too large
             build(form, values)
             yield form

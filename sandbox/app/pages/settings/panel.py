@@ -58,7 +58,7 @@ def settings(comfort: WindowPreferences) -> tuple[Setting, ...]:
             say("Reduced: no flashes at impacts, and cards stand still."),
             list(_motion(comfort)),
         ),
-        Setting(say("Sound"), _heard(comfort), list(_sound(comfort))),
+        Setting(say("Sound"), _sound_description(comfort), list(_sound(comfort))),
     )
 
 
@@ -115,7 +115,7 @@ def _motion(comfort: WindowPreferences) -> Sequence[Choice]:
     ]
 
 
-def _heard(comfort: WindowPreferences) -> str:
+def _sound_description(comfort: WindowPreferences) -> str:
     """Return a description of the sound, or the reason why there is none although it is on."""
     why = impact_sounds.opened() if comfort.chosen.sound else ""
     if why:

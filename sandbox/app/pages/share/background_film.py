@@ -8,7 +8,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 
 
-class Filming(BackgroundTask):
+class FilmWorker(BackgroundTask):
     """Makes one film at a time."""
 
     def __init__(self) -> None:

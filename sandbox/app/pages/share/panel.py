@@ -14,7 +14,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
-from sandbox.app.pages.share.background_film import Filming
+from sandbox.app.pages.share.background_film import FilmWorker
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import later, say
@@ -36,7 +36,7 @@ class SharePage:
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
-        self._filming = desk.worker(Filming)
+        self._filming = desk.worker(FilmWorker)
         y = below(sheet.image(_intro(sheet.pen, sheet.width), sheet.margin // 2)) + 8
         self._actions: dict[UIButton, Callable[[], str]] = {}
         for caption, text, save in KINDS:

@@ -17,7 +17,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.forces_on_selection import felt
+from sandbox.app.observing.forces_on_selection import not_negligible
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.motion_annotations import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -90,7 +90,7 @@ class Touches:
 
     def _on(self, found: FreeBody) -> Iterator[Touch]:
         """Yield the contacts of a body, each from its normal force and the friction after it."""
-        forces = felt(found)
+        forces = not_negligible(found)
         for acting, after in zip(forces, (*forces[1:], None), strict=False):
             if acting.name != NORMAL or acting.by not in self._rows:  # a wire has one, too
                 continue
