@@ -55,7 +55,7 @@ class Events:
     def leave_fields(self) -> None:
         """Apply what was typed into a field that has lost the focus."""
         side = self._space.panels.side
-        if side is not None and (change := side.parameters.left()):
+        if side is not None and (change := side.parameters.left_field_change()):
             self._set(change)
 
     def _at_home(self, event: pygame.event.Event) -> bool:
@@ -182,7 +182,7 @@ class Events:
         refusal = change.refusal
         if change.value is not None and change.value != session.chosen[change.name]:
             try:
-                session.change({change.name: change.value}, otherwise=change.shifted)
+                session.change({change.name: change.value}, otherwise=change.with_shift)
                 banner.tell("")
             except SandboxError as error:
                 refusal = error.message

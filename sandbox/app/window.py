@@ -61,7 +61,7 @@ class Window(Workspace):
             self._keep_run(now - before)
             before = now
             yield
-        self.recovery.forget()
+        self.recovery.delete()
 
     def _keep_run(self, seconds: float) -> None:
         """Keep the run in a file, after some time [s], until the window is closed on purpose."""

@@ -165,7 +165,7 @@ class Workspace:
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
         ran = path.name.endswith(runfile.SUFFIX)
         try:
-            session = runfile.opened(path) if ran else self._begun(path, rate)
+            session = runfile.open_run(path) if ran else self._begun(path, rate)
         except SandboxError as error:
             if self.session is not None and (ran or path.suffix != ".json"):
                 self.path, self._settings, self._accuracy = before

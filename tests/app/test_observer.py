@@ -37,7 +37,7 @@ def place(person: Person, body: str) -> tuple[float, float]:
 
 def test_at_the_centre_of_mass_all_momenta_add_up_to_zero() -> None:
     found = world("momentum/elastic-light-on-heavy", 40)
-    velocity = Observer(found, CENTER).seen(found.snapshot.velocity)
+    velocity = Observer(found, CENTER).relative(found.snapshot.velocity)
 
     assert found.scene.mass @ found.snapshot.velocity[:, 0] > 0.5
     assert found.scene.mass @ velocity == pytest.approx([0, 0], abs=1e-12)
@@ -63,10 +63,10 @@ def test_on_the_ground_all_is_seen_as_it_is() -> None:
     found = world("lagrange/double-pendulum", 30)
     observer = Observer(found, None)
 
-    assert observer.seen(found.snapshot.velocity) is found.snapshot.velocity
+    assert observer.relative(found.snapshot.velocity) is found.snapshot.velocity
     assert (observer.path(found.snapshot.position[None]) == found.snapshot.position).all()
     assert Observer(found, "nobody").place is None
-    assert observer.moved == (0, 0)
+    assert observer.displacement == (0, 0)
 
 
 def test_the_body_from_which_one_looks_stays_where_it_is(person: Person) -> None:

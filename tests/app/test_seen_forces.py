@@ -50,7 +50,7 @@ def drawn(found: Stage, color: Color) -> np.ndarray:
 
 def touches(pen: Pen, session: Session) -> list[contacts.Touch]:
     view = stage(pen, session).view
-    found = contacts.Touches(session.world).look([outline.name for outline in view.moving])
+    found = contacts.Touches(session.world).of_bodies([outline.name for outline in view.moving])
     return list(found)
 
 

@@ -66,7 +66,10 @@ def find(view: View, session: Session, pixel: XY) -> ProbedInstant | None:
 def _near(view: View, history: History, pixel: XY) -> Iterator[ProbedInstant]:
     """Yield the nearest instant of each moving body, if it is within `REACH`."""
     states, mouse, scale = history.snapshots, view.camera.to_world(pixel), view.camera.scale
-    seen, velocity = view.observer.seen(states.position), view.observer.seen(states.velocity)
+    seen, velocity = (
+        view.observer.relative(states.position),
+        view.observer.relative(states.velocity),
+    )
     paths = view.observer.path(states.position)
     for name, outline in view.outlines.items():
         if not outline.moves or outline.hidden:

@@ -25,7 +25,7 @@ MOST = 256
 MOST_MARKS = 60
 """The largest number of marks; with more, the right one would be hard to find."""
 HARD = 0.1
-"""The least strength of a marked impact, as `RecordedImpact.share`."""
+"""The least strength of a marked impact, as `RecordedImpact.strength`."""
 
 ALIKE = 6
 """Decimals in comparisons of strengths, so that rounding errors do not order impacts."""

@@ -265,7 +265,7 @@ class CardPanel:
     def update(self) -> None:
         """Draw the card again."""
         self._sheet.replace(self._image, self._drawn())
-        self._sheet.end(below(self._image) + 2)
+        self._sheet.set_content_height(below(self._image) + 2)
 
     def _drawn(self) -> pygame.Surface:
         return self._card(self._sheet.pen, self._sheet.width, self._session)

@@ -10,7 +10,7 @@ from pygame_gui.elements import UIButton, UIHorizontalSlider, UIScrollingContain
 from sandbox.app.drawing import theme
 from sandbox.app.panels.window_layout import Layout
 from sandbox.app.widgets.text_field import Field
-from sandbox.app.widgets.widget_helpers import scroll, scrolled
+from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
 
 Containers = Mapping[int, UIScrollingContainer]
 Stop = UIButton | Field | UIHorizontalSlider
@@ -164,7 +164,7 @@ def _show(container: UIScrollingContainer, each: UIElement) -> None:
     """Scroll a widget to the middle, unless it is visible."""
     view, place = container.rect, each.rect
     if place.top < view.top or place.bottom > view.bottom:
-        scroll(container, scrolled(container) + place.centery - view.centery)
+        scroll_to(container, scroll_position(container) + place.centery - view.centery)
 
 
 def _move_slider(slider: UIHorizontalSlider, direction: int) -> None:

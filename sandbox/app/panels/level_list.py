@@ -19,7 +19,7 @@ from sandbox.app.files.challenge_stars import Progress
 from sandbox.app.files.level_entries import Entry, entry
 from sandbox.app.keymap import tip
 from sandbox.app.widgets.text_field import LONGEST, Field
-from sandbox.app.widgets.widget_helpers import Row, press, scroll, scrolled
+from sandbox.app.widgets.widget_helpers import Row, scroll_position, scroll_to, show_pressed
 from sandbox.app.words.language import plural, say
 from sandbox.model import level_catalog
 
@@ -152,7 +152,7 @@ class LevelList:
 
     def update(self, focused: UIElement | None = None) -> None:
         """Make the rows that have become visible, and remove distant ones except `focused`."""
-        top, height = scrolled(self._container), self._container.rect.height
+        top, height = scroll_position(self._container), self._container.rect.height
         if top == self._seen:
             return
         self._seen = top
@@ -190,7 +190,7 @@ class LevelList:
             pygame.Rect(place), caption, self._container.ui_manager, tool_tip_text=tip,
             container=self._container, object_id=ObjectID(class_id="@level"),
         )  # fmt: skip
-        press(row, level.path == self._chosen)
+        show_pressed(row, level.path == self._chosen)
         return row
 
     def _caption(self, level: Entry) -> tuple[str, str | None]:
@@ -226,7 +226,7 @@ class LevelList:
             self._put(row, self._tops.get(level))
         size = self._width + self._px(MARGIN), max(y, self._px(HEADING)) + self._px(MARGIN)
         self._container.set_scrollable_area_dimensions(size)
-        scroll(self._container, 0)
+        scroll_to(self._container, 0)
 
     def _put(self, element: UIElement, y: int | None) -> None:
         """Show an element at a height [px], or hide it."""
@@ -263,12 +263,12 @@ class LevelList:
         """Mark a level as the one that is played, and scroll to it."""
         self._chosen = path
         for level, row in self.rows.items():
-            press(row, level.path == path)
+            show_pressed(row, level.path == path)
         for level, y in self._tops.items():
             if level.path == path:
-                top, height = scrolled(self._container), self._container.rect.height
+                top, height = scroll_position(self._container), self._container.rect.height
                 if not top <= y <= top + height - self._px(ROW):
-                    scroll(self._container, y - height / 2)
+                    scroll_to(self._container, y - height / 2)
 
     def process(self, event: pygame.event.Event) -> Path | None:
         """Return the level that was clicked on, or with Enter the first found; None if neither."""

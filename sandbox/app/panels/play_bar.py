@@ -10,7 +10,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.panels.button_bar import GAP, MARGIN, Bar
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.widgets.widget_helpers import show_pressed
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 
@@ -133,7 +133,7 @@ class Controls(Bar):
             self._buttons["play"].set_text(text)
         for command, on in shown.items():
             if command in self._buttons:
-                press(self._buttons[command], on)
+                show_pressed(self._buttons[command], on)
 
     def draw(self, surface: pygame.Surface, session: Session | None) -> None:
         """Draw the background, the speed and the clock; the manager draws the buttons."""

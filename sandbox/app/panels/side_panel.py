@@ -20,7 +20,7 @@ from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Footer, View
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Parameters
 from sandbox.app.widgets.scrolling_area import MARGIN, Panel, Sheet
-from sandbox.app.widgets.widget_helpers import scroll, scrolled
+from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
@@ -71,12 +71,12 @@ class SidePanel:
     def scroll_pages(self, pages: float) -> None:
         """Scroll by a multiple of the visible height."""
         container = self._sheet.container
-        scroll(container, scrolled(container) + pages * container.rect.height)
+        scroll_to(container, scroll_position(container) + pages * container.rect.height)
 
     def show_checks(self) -> None:
         """Scroll to the checks, if the page has them."""
         if self._sheet.checks is not None:
-            scroll(self._sheet.container, self._sheet.checks.relative_rect.y)
+            scroll_to(self._sheet.container, self._sheet.checks.relative_rect.y)
 
     def revert(self) -> None:
         """Reset all fields to the present values."""

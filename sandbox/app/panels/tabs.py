@@ -11,7 +11,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.drawing.text import Pen
 from sandbox.app.keymap import tip
 from sandbox.app.pages.page import Page
-from sandbox.app.widgets.widget_helpers import press, stretched
+from sandbox.app.widgets.widget_helpers import show_pressed, stretched
 from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a tab
@@ -41,7 +41,7 @@ class Tabs:
                     place, say(page.caption), manager, tool_tip_text=tip(page.command),
                     object_id=ObjectID(class_id="@tab"),
                 )  # fmt: skip
-                press(tab, page.command == chosen)
+                show_pressed(tab, page.command == chosen)
                 self._pages[tab] = page.command
                 x += width + px(GAP)
             self.bottom += px(HEIGHT) + px(GAP)

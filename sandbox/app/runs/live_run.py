@@ -15,8 +15,8 @@ from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.play_speed import Pace
 from sandbox.app.runs.run_limits import Limits
-from sandbox.app.runs.run_start import Beginning
-from sandbox.app.runs.step_timer import Clock
+from sandbox.app.runs.run_start import RunStart
+from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.runs.user_interventions import Action, perform
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -34,9 +34,7 @@ if TYPE_CHECKING:
 class LiveRun:
     """A run of a level, `original` as its file declares it, from the start to the step shown."""
 
-    def __init__(
-        self, original: Level, begun: Beginning, earlier: tuple[Earlier, ...] = ()
-    ) -> None:
+    def __init__(self, original: Level, begun: RunStart, earlier: tuple[Earlier, ...] = ()) -> None:
         self.world = world = begun.world
         """The world of the run; a new one after the run has branched."""
         self.companions = begun.companions
@@ -47,7 +45,7 @@ class LiveRun:
         """The parameters at the start; the run may have branched since."""
         self.earlier = earlier
         """The last runs with other parameters, the newest last."""
-        self.clock = Clock()
+        self.clock = StepTimer()
         self.end = count_steps(world)
         """The number of steps in the level's duration."""
         self.failure: SandboxError | None = None

@@ -10,7 +10,7 @@ from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companions import Companion
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.play_speed import Pace
-from sandbox.app.runs.step_timer import Clock
+from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
@@ -108,7 +108,7 @@ class RunView:
         return self.run.all_actions
 
     @property
-    def clock(self) -> Clock:
+    def clock(self) -> StepTimer:
         """The computing time of the steps."""
         return self.run.clock
 

@@ -38,6 +38,6 @@ class RemedySearch(BackgroundTask):
         for finding in self._work.found():
             found = finding
         if not (found.text or self._work.running):  # the search has ended without a result
-            session.take(Advice(Message("no remedy is known")))
+            session.add_advice(Advice(Message("no remedy is known")))
         elif found.text:
-            session.take(found)
+            session.add_advice(found)

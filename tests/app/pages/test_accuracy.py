@@ -287,9 +287,9 @@ def test_digits_survive_that_are_larger_than_the_error(
 
 def test_digits_survive_in_the_unit_that_is_read() -> None:
     """0.1 rad ± 4e-4 has three digits, but 5.73° ± 0.023° only two."""
-    assert formatting.certain(0.1, 4e-4, "rad") == "5.7°"
-    assert formatting.certain(1234.0, 40.0, "J") == "1.2×10³ J"
-    assert formatting.certain(0.02, 1.0, "m") == "0 m"
+    assert formatting.trusted_value(0.1, 4e-4, "rad") == "5.7°"
+    assert formatting.trusted_value(1234.0, 40.0, "J") == "1.2×10³ J"
+    assert formatting.trusted_value(0.02, 1.0, "m") == "0 m"
 
 
 def test_closing_the_window_ends_the_work(player: Person) -> None:

@@ -184,7 +184,7 @@ def test_where_the_scheme_is_for_an_effect_it_stays() -> None:
     whatif.toggle(session, "attraction")
 
     assert session.level.stepping.scheme == "fourth-order"
-    assert session.changes.left is None
+    assert session.changes.replaced_scheme is None
 
 
 def test_a_setting_that_is_chosen_for_the_changed_run_is_kept_when_its_effect_is_gone() -> None:

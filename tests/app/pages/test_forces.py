@@ -139,14 +139,14 @@ def test_words_of_the_diagram_do_not_cover_each_other(
     pen: Pen, level: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     places: list[pygame.Rect] = []
-    find = Labels.find
+    find = Labels.place_for
 
     def spied(self: Labels, *told: object) -> pygame.Rect | None:
         place = find(self, *told)  # type: ignore[arg-type]
         places.extend([place] if place else [])
         return place
 
-    monkeypatch.setattr(Labels, "find", spied)
+    monkeypatch.setattr(Labels, "place_for", spied)
     session = stepped(level)
 
     force_diagrams.free_body(pen, (WIDTH, card.DIAGRAM), at(session))
@@ -249,14 +249,14 @@ def test_forces_along_one_line_all_have_their_words(
     session.looking.chosen = body
     found = at(session)
     places: list[pygame.Rect] = []
-    find = Labels.find
+    find = Labels.place_for
 
     def noted(self: Labels, *told: object) -> pygame.Rect | None:
         place = find(self, *told)  # type: ignore[arg-type]
         places.extend([place] if place else [])
         return place
 
-    monkeypatch.setattr(Labels, "find", noted)
+    monkeypatch.setattr(Labels, "place_for", noted)
     force_diagrams.free_body(pen, (WIDTH, card.DIAGRAM), found)
 
     assert len(places) == len(forces_on_selection.not_negligible(found))

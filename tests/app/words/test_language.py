@@ -141,7 +141,7 @@ def heard(speech: Speech, person: Person) -> None:
 def test_the_system_says_its_language_as_gettext_has_it(
     environment: Mapping[str, str], name: str
 ) -> None:
-    assert language.of_system(environment) == name
+    assert language.system_language(environment) == name
 
 
 @pytest.mark.sweep

@@ -15,6 +15,6 @@ PAGE = Page(
     key="a",
     text="accuracy: what the next digit costs",
     panel=imported("sandbox.app.pages.accuracy.panel", "AccuracyPage"),
-    worker=imported("sandbox.app.pages.accuracy.background_study", "Studying"),
+    worker=imported("sandbox.app.pages.accuracy.background_study", "BackgroundStudy"),
     commands=(PageCommand("measure", "A", "start or stop measuring error and cost", _measure),),
 )

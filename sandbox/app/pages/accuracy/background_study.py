@@ -197,4 +197,4 @@ def _play_with(session: Session, setting: Setting) -> str:
             whatif.play_with_stepping(session, setting.for_playing.stepping)
     except SandboxError as error:
         return say(error.message)
-    return formatting.offer(setting)
+    return formatting.offered_setting(setting)

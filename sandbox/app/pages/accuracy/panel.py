@@ -49,7 +49,7 @@ class AccuracyPage:
         y = below(sheet.image(dial_ends(pen, width, say("fast"), say("exact")), y)) + 6
         self._diagram = sheet.image(self._drawn(), y)
         y = below(self._diagram) + 4
-        self._wide = sheet.room(say(MEASURE), say(CANCEL))
+        self._wide = sheet.widest_button(say(MEASURE), say(CANCEL))
         place = pygame.Rect(width - self._wide, y, self._wide, sheet.px(HEIGHT))
         self.button = sheet.button(
             place, say(MEASURE), say("start or stop measuring error and cost")
@@ -92,7 +92,7 @@ class AccuracyPage:
         replace(self._diagram, self._drawn())
         replace(self._status, self._drawn_status())
         replace(self._rest, self._drawn_rest())
-        self._sheet.end(below(self._rest) + 2)
+        self._sheet.set_content_height(below(self._rest) + 2)
 
     def _turn_dial(self) -> None:
         """Set the dial to the requested accuracy, unless it is being dragged."""

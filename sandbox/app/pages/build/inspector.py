@@ -12,7 +12,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
 from sandbox.app.widgets.scrolling_area import Sheet
 from sandbox.app.widgets.text_field import Field
-from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.widgets.widget_helpers import show_pressed
 from sandbox.app.words.language import later, say
 from sandbox.model.json_positions import Path
 
@@ -153,7 +153,7 @@ class Inspector:
                 line.entry, line.row = entry, row
                 self._refresh_field(line)
                 for button, means in line.choices.items():
-                    press(button, (entry.shown or entry.default) == means)
+                    show_pressed(button, (entry.shown or entry.default) == means)
 
     def _refresh_field(self, line: Line) -> None:
         field, shown = line.field, line.entry.shown

@@ -19,7 +19,7 @@ from sandbox.app.pages.build.toolbar import Palette
 from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet
-from sandbox.app.widgets.widget_helpers import press, scroll
+from sandbox.app.widgets.widget_helpers import scroll_to, show_pressed
 from sandbox.app.words.language import say
 from sandbox.model import json_positions
 
@@ -64,7 +64,7 @@ class BuildPage:
         if event.type == UI_BUTTON_PRESSED:
             if not self._press(event.ui_element):
                 return None
-            press(event.ui_element, False)  # a click changes the look; `update` sets it
+            show_pressed(event.ui_element, False)  # a click changes the look; `update` sets it
             return ""
         if event.type == UI_TEXT_ENTRY_FINISHED:
             return "" if self._enter(event.ui_element) else None
@@ -179,7 +179,7 @@ class BuildPage:
         self._refresh(blocks)
         self.inspector.refresh(rows)
         if another:
-            scroll(self._sheet.container, 0)
+            scroll_to(self._sheet.container, 0)
 
     def _blocks(self) -> Blocks:
         """Return the blocks above and below the field for a file name."""
@@ -210,7 +210,7 @@ class BuildPage:
         self._put(below)
         self._column.y += 2 * self._sheet.px(GAP)
         self.inspector.build(rows, numbers, self._refused, dict(self._offered))
-        self._sheet.end(self._column.y + self._sheet.px(GAP))
+        self._sheet.set_content_height(self._column.y + self._sheet.px(GAP))
 
     def _put(self, blocks: Sequence[Block]) -> None:
         for block in blocks:
@@ -237,4 +237,4 @@ class BuildPage:
         pressed = [act.caption in block.pressed for block in shown for act in block.actions]
         self._acts = list(zip(self._buttons, acts, strict=True))
         for button, on in zip(self._buttons, pressed, strict=True):
-            press(button, on)
+            show_pressed(button, on)

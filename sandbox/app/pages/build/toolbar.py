@@ -13,7 +13,7 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.pages.build.widget_column import GAP, HEIGHT, SIZE, SMALL, side_by_side
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet
-from sandbox.app.widgets.widget_helpers import allow, press, show, stretched
+from sandbox.app.widgets.widget_helpers import set_enabled, show, show_pressed, stretched
 from sandbox.app.words.language import later, say, say_in
 
 ACROSS = 4
@@ -123,17 +123,17 @@ class Palette:
         """Show the current tool, and whether there is something to undo, redo or save."""
         editor, draft = self._editor, self._editor.work.draft
         for kind in TOOLS:
-            press(self._buttons[kind.name], kind.name == editor.tools.tool)
+            show_pressed(self._buttons[kind.name], kind.name == editor.tools.tool)
         undoes, redoes = (
             editor.trying.undo_description(self._session),
             editor.trying.redo_description(self._session),
         )
         for name, key, undone in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
-            allow(self._buttons[name], undone is not None)
+            set_enabled(self._buttons[name], undone is not None)
             self._buttons[name].set_tooltip(
                 f"{undone} ({say_in('key', key)})" if undone else None, delay=0.6
             )
-        allow(self._buttons["Save"], draft.changed or draft.path is None)
+        set_enabled(self._buttons["Save"], draft.changed or draft.path is None)
         self._buttons[TRY].set_text(say(STOP if editor.trying.is_shown(self._session) else TRY))
         self._show_joints(editor.tools.tool == "join")
 
@@ -143,5 +143,5 @@ class Palette:
             button = self._buttons[name]
             show(button, shown)
             if shown:  # only visible buttons have a look
-                press(button, name == self._editor.tools.joining.kind)
-        self._sheet.pin(self._height if shown else self._without)
+                show_pressed(button, name == self._editor.tools.joining.kind)
+        self._sheet.set_strip_height(self._height if shown else self._without)

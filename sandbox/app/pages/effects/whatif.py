@@ -63,7 +63,7 @@ def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
     level, effects = vary(with_scheme(original, "leapfrog"), changes.off, _settings(changes))
     left = wanted if original.stepping.is_composed and unsmooth(level) else None
     scheme = "leapfrog" if left else wanted
-    changes = replace(changes, effects=effects, left=left)
+    changes = replace(changes, effects=effects, replaced_scheme=left)
     return with_scheme(original, scheme), with_scheme(level, scheme), changes
 
 
@@ -103,7 +103,7 @@ def play_with_stepping(session: Session, stepping: Stepping) -> None:
     pace = {"stepping": stepping}
     variants = (companion.variant for companion in session.companions if session.changes)
     beside = [replace(each, level=each.level.model_copy(update=pace)) for each in variants]
-    changes = replace(session.changes, left=None)
+    changes = replace(session.changes, replaced_scheme=None)
     session.play_as(session.begun_as.model_copy(update=pace), beside, changes)
 
 
@@ -114,7 +114,7 @@ def declared_with_present_stepping(session: Session) -> Level:
     """
     stepping = session.world.stepping
     level = session.original.model_copy(update={"stepping": stepping})
-    return with_scheme(level, session.changes.left or stepping.scheme)
+    return with_scheme(level, session.changes.replaced_scheme or stepping.scheme)
 
 
 def _settings(changes: Changes) -> dict[str, Settings]:
@@ -149,7 +149,7 @@ def compared(session: Session) -> tuple[Difference, ...]:
 
 def cost(session: Session) -> float | None:
     """Return the cost of the change in each step [s], negative if it saves; None if unknown."""
-    own, other = session.clock.step, session.companions[0].clock.step
+    own, other = session.clock.step_time, session.companions[0].clock.step_time
     return None if own is None or other is None else own - other
 
 

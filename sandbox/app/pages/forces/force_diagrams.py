@@ -41,10 +41,10 @@ def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surfac
         end = start[0] + x * scale, start[1] + y * scale
         lines.arrow(surface, forces_on_selection.color(acting), start, end, WIDTH)
         for covered in _along(start, end):
-            labels.take(covered)
+            labels.occupy(covered)
         ends.append((text, forces_on_selection.color(acting), start, end))
     pygame.draw.aacircle(surface, theme.TEXT, center, 5)
-    labels.take(pygame.Rect(center[0] - 7, center[1] - 7, 14, 14))
+    labels.occupy(pygame.Rect(center[0] - 7, center[1] - 7, 14, 14))
     for text, color, start, end in ends:
         if hypot(end[0] - start[0], end[1] - start[1]) >= SHORTEST:
             _place_label(surface, pen.write(text, 12, color), color, labels, start, end)
@@ -149,11 +149,11 @@ def _place_label(
         places += [(x, y - image.height), (x, y + image.height)]
     bounds = surface.get_rect()
     rects = (image.get_rect(center=place).clamp(bounds) for place in places)
-    if found := labels.find(rects):
+    if found := labels.place_for(rects):
         surface.blit(image, found)
         return
     for x, y, place in _places_off_arrow(image, start, end):
-        if found := labels.find([place.clamp(bounds)]):
+        if found := labels.place_for([place.clamp(bounds)]):
             nearest = min(max(x, found.left), found.right), min(max(y, found.top), found.bottom)
             pygame.draw.aaline(surface, color, (x, y), nearest)
             surface.blit(image, found)

@@ -82,7 +82,9 @@ def _put(
     """Draw the visible part of the lines of one unit, and return their graph."""
     pen, (least, most) = card.pen, map(card.pen.px, HEIGHTS)
     size = card.width, int(min(max(page - pen.px(ROOM), least), most))
-    rise = zoom.visible_scale(plot.upwards(pen, size[1], [each.y for each in series]), units[1])
+    rise = zoom.visible_scale(
+        plot.vertical_scale(pen, size[1], [each.y for each in series]), units[1]
+    )
     graph = Graph(units[1], pygame.Rect((0, card.y), size), span, rise)
     card.put(plot.draw(pen, size, series, span, mark, rise, units), 0)
     card.y += size[1] + GAP
@@ -103,7 +105,7 @@ def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
     runs = [(run.world, run.history) for run in session.earlier]
     runs += [(run.world, run.history) for run in (session.later,) if run]
     others = [measured(*run, [across])[0][across] for run in runs]
-    return plot.across(pen, width, [so_far(session, [across])[0][across], *others])
+    return plot.horizontal_scale(pen, width, [so_far(session, [across])[0][across], *others])
 
 
 def so_far(session: Session, names: Sequence[str]) -> tuple[Mapping[str, Array], Mapping[str, str]]:
@@ -177,7 +179,7 @@ def _own_lines(
 ) -> Iterator[Series]:
     """Yield the lines of the shown run."""
     for name in these:
-        yield Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
+        yield Series(_color(name, up), columns[across], columns[name], marker=_sign(name, up))
 
 
 def _earlier_lines(

@@ -242,7 +242,7 @@ class GraphPage:
                 y += self._sheet.px(FIELD) + 2
             chooser.set_relative_position((self._sheet.margin, y))
             y += height + 8
-        sheet.end(self._put_rows(y) if low else y)
+        sheet.set_content_height(self._put_rows(y) if low else y)
 
     def _put_rows(self, y: int) -> int:
         """Place the rows of buttons, and return the height of what comes below them [px]."""

@@ -37,7 +37,10 @@ def bodies(world: World, place: str | None = None) -> list[Momentum]:
 
     They are as seen from a place, see `Observer`.
     """
-    found, every = momentum_scale.heavy(world), momentum_scale.momenta(world, world.snapshot, place)
+    found, every = (
+        momentum_scale.bodies_with_momentum(world),
+        momentum_scale.momenta(world, world.snapshot, place),
+    )
     each = {row: Momentum(formatting.name_in_words(name), every[row]) for row, name in found}
     if len(found) <= MOST:
         return [*each.values()]

@@ -48,7 +48,7 @@ class PredictPage:
         self._head = sheet.image(self._drawn_head(), sheet.margin // 2)
         self.list = self._listed([])
         self.button = sheet.button(
-            pygame.Rect((0, 0), (sheet.room(*map(say, CAPTIONS)), sheet.px(HEIGHT))),
+            pygame.Rect((0, 0), (sheet.widest_button(*map(say, CAPTIONS)), sheet.px(HEIGHT))),
             "", say(TIPS[PREDICT]),
         )  # fmt: skip
         place = pygame.Rect(sheet.margin, 0, sheet.width - sheet.px(UNIT), sheet.px(FIELD))
@@ -130,7 +130,7 @@ class PredictPage:
         y = self._put(self._result, y, shown=answered)
         self._name_button()
         y = self._put(self.button, y, shown=question is not None or bool(self._questions))
-        sheet.end(y)
+        sheet.set_content_height(y)
 
     def _offer(self) -> None:
         """List the questions about the present level."""

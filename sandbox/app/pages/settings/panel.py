@@ -15,7 +15,7 @@ from sandbox.app.files import preferences
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
-from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.widgets.widget_helpers import show_pressed
 from sandbox.app.words import language
 from sandbox.app.words.language import say, say_in
 
@@ -86,7 +86,7 @@ def _sizes(comfort: WindowPreferences) -> Sequence[Choice]:
 
 
 def _languages(comfort: WindowPreferences) -> Sequence[Choice]:
-    chosen, title = comfort.chosen.language, language.TITLES[language.of_system()]
+    chosen, title = comfort.chosen.language, language.TITLES[language.system_language()]
     system = Choice(
         say("System"), say("the system's language: {language}", language=title),
         partial(comfort.choose, language=None), chosen is None,
@@ -146,18 +146,18 @@ class SettingsPage:
         y = sheet.margin // 2
         for setting in settings(desk.comfort):
             y = self._put(setting, y)
-        sheet.end(y)
+        sheet.set_content_height(y)
 
     def _put(self, setting: Setting, y: int) -> int:
         """Make rows of buttons for a setting, and return the height of the next setting [px]."""
         sheet, px = self._sheet, self._sheet.pen.px
         y = below(sheet.image(heading(sheet.pen, sheet.width, setting.title), y))
         y = below(sheet.image(label(sheet.pen, sheet.width, setting.help), y)) + px(GAP)
-        widths = (sheet.room(choice.caption) for choice in setting.choices)
+        widths = (sheet.widest_button(choice.caption) for choice in setting.choices)
         places = in_rows(widths, sheet.width, px(HEIGHT), px(GAP))
         for choice, place in zip(setting.choices, places, strict=True):
             button = sheet.button(place.move(0, y), choice.caption, choice.tip)
-            press(button, choice.chosen)
+            show_pressed(button, choice.chosen)
             self._buttons[button] = choice
         return y + place.bottom + px(2 * GAP)
 

@@ -46,7 +46,7 @@ class SharePage:
         large = say("the run so far, 1280 x 720")
         y = self._row(y, "MP4", large, partial(self._filming.begin, self._session, "mp4"))
         self._state = sheet.image(self._drawn(), y)
-        sheet.end(below(self._state) + 8)
+        sheet.set_content_height(below(self._state) + 8)
 
     def _row(self, y: int, caption: str, text: str, act: Callable[[], str]) -> int:
         """Make a button and a description beside it, and return the height of the next row [px]."""

@@ -25,7 +25,7 @@ class TablePage:
         self._sheet, self._session = sheet, desk.session
         self._choice, self._studying = desk.worker(Choice), desk.worker(BackgroundStudy)
         caption = say("Save as CSV")
-        place = pygame.Rect(0, sheet.margin // 2, sheet.room(caption), sheet.px(HEIGHT))
+        place = pygame.Rect(0, sheet.margin // 2, sheet.widest_button(caption), sheet.px(HEIGHT))
         self.save = sheet.button(place, caption, say(TIP))
         """The button that saves the table."""
         self._table = sheet.image(self._drawn(), sheet.margin // 2 + sheet.px(HEIGHT) + 6)
@@ -44,7 +44,7 @@ class TablePage:
         """Draw the table and the stopwatch again."""
         self._sheet.replace(self._table, self._drawn())
         self.timing.update()
-        self._sheet.end(self.timing.put(below(self._table) + GAP))
+        self._sheet.set_content_height(self.timing.put(below(self._table) + GAP))
 
     def _drawn(self) -> pygame.Surface:
         sheet, session = self._sheet, self._session

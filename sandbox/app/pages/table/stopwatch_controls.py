@@ -25,7 +25,8 @@ class StopwatchControls:
         self._shown = sheet.image(self._drawn(), 0)
         captions = say("Start or stop"), say("Reset")
         first, second = (
-            pygame.Rect(0, 0, sheet.room(caption), sheet.px(HEIGHT)) for caption in captions
+            pygame.Rect(0, 0, sheet.widest_button(caption), sheet.px(HEIGHT))
+            for caption in captions
         )
         second.left = first.right + GAP
         self.press = sheet.button(first, captions[0], say("start it now, or stop it (3)"))

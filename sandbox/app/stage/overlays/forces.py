@@ -43,7 +43,9 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if lines.are_close((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
     moving = view.moving if view.few else ()
-    avoid = motion_annotations.boxes(view.camera, ((each, *view.state(each)) for each in moving))
+    avoid = motion_annotations.bounding_boxes(
+        view.camera, ((each, *view.state(each)) for each in moving)
+    )
     written = [
         beside(surface, view.pen, text, start, end, view.labels, color, name, avoid)
         for text, start, end, color, name in ends
