@@ -34,7 +34,7 @@ def paint(space: Workspace) -> None:
     for x in (layout.stage.left, layout.stage.right - 1):
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
     if space.help:
-        rows = page(space.panels.page).own_keys() if space.maker is not None else ()
+        rows = page(space.panels.page).own_keys() if space.stage_tool is not None else ()
         messages = rows or stage_messages.window_keys_and_mouse()
         space.sheets = stage_messages.draw_help(
             surface, space.pen, layout.stage, messages, space.help
@@ -43,7 +43,7 @@ def paint(space: Workspace) -> None:
 
 def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:
     """Draw the run, or a page's own picture in its place, with measurements and messages."""
-    maker = space.maker
+    maker = space.stage_tool
     space.stage.camera.offset = 0.0, 0.0  # what a page draws is seen from the ground
     if maker is None or not maker.draw(view, space.stage, space.pen, session):
         _paint_run(space, view, session)

@@ -107,7 +107,7 @@ def test_the_key_goes_from_the_body_to_the_centre_of_mass_to_the_ground(person: 
         person.press(pygame.K_4, "4")
         seen.append(person.window.stage.view.observer.place)
     assert seen == ["second", CENTER, None]
-    assert person.window.banner.tells(seen_from(None))
+    assert person.window.banner.is_showing(seen_from(None))
 
     person.press(pygame.K_4, "4")
     person.session.looking.chosen = "first"
@@ -123,7 +123,7 @@ def test_who_observes_is_told_once_on_the_stage_itself(person: Person) -> None:
     observe(person, "momentum/elastic-light-on-heavy", "second")
 
     assert person.window.stage.view.observer.place == "second"
-    assert not person.window.banner.tells(seen_from("second"))
+    assert not person.window.banner.is_showing(seen_from("second"))
 
 
 def test_the_page_of_the_forces_has_a_button_for_it(person: Person) -> None:

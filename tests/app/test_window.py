@@ -722,7 +722,7 @@ def test_a_run_is_played_again_by_dropping_its_file(person: Person, tmp_path: Pa
 
     assert runfile.is_same(saved, person.session)
     assert person.window.path is None
-    assert person.window.banner.tells(f"{path.name} plays again, with all of your actions")
+    assert person.window.banner.is_showing(f"{path.name} plays again, with all of your actions")
     assert person.session.actions
 
 

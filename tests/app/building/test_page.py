@@ -49,7 +49,7 @@ def test_a_joint_is_a_pin_at_first_and_is_told_of_in_words(builder: Builder) -> 
 
     (pin,) = builder.document["joints"].values()
     assert pin["type"] == "pivot"
-    assert builder.person.window.banner.tells("Tied: box 1 to the plane")
+    assert builder.person.window.banner.is_showing("Tied: box 1 to the plane")
 
 
 def test_tools_stay_where_they_are_while_the_fields_are_scrolled(builder: Builder) -> None:

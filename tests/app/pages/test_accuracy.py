@@ -316,8 +316,8 @@ def test_frames_go_on_while_it_is_measured(player: Person) -> None:
 def test_a_load_is_smoothed_and_adds_up() -> None:
     load = Load()
     for _ in range(200):
-        load.stepped(0.5 * FRAME, 0.2 * FRAME)
-        load.drew(0.1 * FRAME)
+        load.note_steps(0.5 * FRAME, 0.2 * FRAME)
+        load.note_drawing(0.1 * FRAME)
 
     assert load.shares == pytest.approx({"physics": 0.3, "hooks": 0.2, "drawing": 0.1})
 

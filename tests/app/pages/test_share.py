@@ -191,7 +191,7 @@ def test_a_film_that_is_being_made_is_not_given_up_for_another(
     person.click(shown.button(second).rect)
 
     assert len(begun) == 1
-    assert person.window.banner.tells("one film at a time: the next when this one is saved")
+    assert person.window.banner.is_showing("one film at a time: the next when this one is saved")
 
 
 def test_how_far_a_film_is_has_its_place_on_the_page(

@@ -43,7 +43,8 @@ OWN_NAMES = {"nglish", "eutsch"}
 
 
 SHOWING = {
-    "text", "heading", "label", "write", "outlined", "paragraph", "tell", "_tell", "_say_first",
+    "text", "heading", "label", "write", "outlined", "paragraph", "show_message", "_show_note",
+    "_show_at_once",
     "Act", "Block", "Offer", "Choice", "Setting",
 }  # fmt: skip
 """What draws or tells a text, or keeps one that is shown."""

@@ -139,7 +139,7 @@ class BackgroundStudy(BackgroundTask):
     def _collect_results(self) -> Setting | None:
         """Store new results, and return a setting that was found; None if there is none."""
         was_running, found = self._work.running, None
-        for finding in self._work.found():
+        for finding in self._work.results():
             self.news = object()
             if isinstance(finding, Setting):
                 found = finding

@@ -84,7 +84,7 @@ class CurveWorker(BackgroundTask):
     def _collect_results(self) -> None:
         """Store new results."""
         was_running = self._work.running
-        for finding in self._work.found():
+        for finding in self._work.results():
             self.news = object()
             if isinstance(finding, SamplingRefusal):
                 self.failure = finding.reason

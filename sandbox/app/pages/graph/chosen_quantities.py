@@ -86,7 +86,7 @@ class Choice(BackgroundTask):
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Return the message with the picture's path once it is saved."""
-        return next(iter([*self._work.found()][-1:]), None)
+        return next(iter([*self._work.results()][-1:]), None)
 
 
 def _changes(check: Check) -> bool:

@@ -44,7 +44,7 @@ def question_text(
     """Draw a question by its title.
 
     While it is open, `since` is the time at which the run waits [s], and the possible forms of an
-    answer are told.
+    answer are listed.
     """
     card = Card(pen, width)
     card.heading(say("Your prediction"))

@@ -117,7 +117,7 @@ def _motion(comfort: WindowPreferences) -> Sequence[Choice]:
 
 def _sound_description(comfort: WindowPreferences) -> str:
     """Return a description of the sound, or the reason why there is none although it is on."""
-    why = impact_sounds.opened() if comfort.chosen.sound else ""
+    why = impact_sounds.open_device() if comfort.chosen.sound else ""
     if why:
         return say("No sound is available ({reason}). Switch it on to try again.", reason=why)
     return say("Tones at impacts: deep for heavy bodies, loud for hard impacts.")

@@ -34,7 +34,7 @@ class FilmWorker(BackgroundTask):
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Update the progress, and return the message once the film is saved."""
         message = None
-        for found in self._work.found():
+        for found in self._work.results():
             self.news = object()
             if isinstance(found, str):
                 message = self.message = found
