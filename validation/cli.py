@@ -190,7 +190,7 @@ def pace(
     The share is given for this core at this moment, and for a reference core: a slow one that is
     idle. Exit status 1 if a level needs more than half of the reference core.
     """
-    from validation.pace import measure
+    from validation.step_pace import measure
 
     return not measure(levels or [], json_file)
 

@@ -69,10 +69,10 @@ class Background:
     def send(self, order: object) -> None:
         """Send something small to work that listens."""
         if self._orders is not None:
-            with suppress(BrokenPipeError):  # the work has ended, as `found` will notice
+            with suppress(BrokenPipeError):  # the work has ended, as `results` will notice
                 self._orders.send(order)
 
-    def found(self) -> Iterator[Any]:
+    def results(self) -> Iterator[Any]:
         """Yield the results that have come in since the last call, without waiting."""
         while self._findings is not None:
             try:

@@ -25,11 +25,11 @@ class Banner:
         self._note, self._left = "", 0.0
         self._ended: tuple[object, str, str] = None, "", ""
 
-    def tell(self, text: str, *, lasting: bool = False) -> None:
+    def write(self, text: str, *, lasting: bool = False) -> None:
         """Show a note for a while, or until the next one; an empty note removes it."""
         self._note, self._left = text, inf if lasting else NOTE
 
-    def tells(self, text: str) -> bool:
+    def is_showing(self, text: str) -> bool:
         """Whether this note is shown at present."""
         return self._left > 0 and self._note == text
 
@@ -46,9 +46,9 @@ class Banner:
 
     def _told(self, session: Session | None) -> tuple[str, Color]:
         noted = (self._note if self._left > 0 else ""), theme.NOTICE
-        return (self._of_run(session) if session is not None else None) or noted
+        return (self._run_message(session) if session is not None else None) or noted
 
-    def _of_run(self, session: Session) -> tuple[str, Color] | None:
+    def _run_message(self, session: Session) -> tuple[str, Color] | None:
         """Return the run's message that takes precedence over a note, or is shown without one."""
         if session.run.trying and isinstance(session.failure, SimulationError):
             message = say(
@@ -75,7 +75,7 @@ class Banner:
 
     def _complete(self, session: Session) -> str:
         if session.changes:
-            return self._compared(session)
+            return self._effect_of_changes(session)
         attempt = session.attempt()
         if attempt is not None and attempt.stars:
             earned = say(
@@ -85,7 +85,7 @@ class Banner:
         when = formatting.seconds(session.duration)
         return say("Run complete at {when} – R restarts, Space goes on", when=when)
 
-    def _compared(self, session: Session) -> str:
+    def _effect_of_changes(self, session: Session) -> str:
         """Return how the changed effects alter the run, computed once per run and language."""
         world, spoken, text = self._ended
         if world is not session.world or spoken != language.used():

@@ -20,7 +20,7 @@ from sandbox.model.file_writing import without_links
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
 
 
-class Events:
+class EventDispatch:
     """Passes each event to the widgets, the home page, the commands, or the stage."""
 
     def __init__(self, workspace: Workspace, commands: CommandActions) -> None:
@@ -36,7 +36,7 @@ class Events:
             space.lay_out()
         elif event.type == pygame.DROPFILE:
             space.open_file(without_links(Path(event.file)))
-        elif self._change(event) or self._zooms(event):
+        elif self._change(event) or self._zoom_page(event):
             return
         elif event.type == pygame.MOUSEBUTTONDOWN and space.panels.focus.leave():
             self.handle(event)
@@ -45,17 +45,17 @@ class Events:
         elif not space.panels.manager.process_events(event) and not self._at_home(event):
             self._click(event)
 
-    def _zooms(self, event: pygame.event.Event) -> bool:
+    def _zoom_page(self, event: pygame.event.Event) -> bool:
         """Pass an event to the page for zooming, and return whether it was handled."""
         panels = self._space.panels
         typed = panels.typing and event.type == pygame.KEYDOWN
         busy = typed or panels.dialog is not None
-        return panels.side is not None and not busy and panels.side.zooms(event)
+        return panels.side is not None and not busy and panels.side.zoom_page(event)
 
     def leave_fields(self) -> None:
         """Apply what was typed into a field that has lost the focus."""
         side = self._space.panels.side
-        if side is not None and (change := side.parameters.left()):
+        if side is not None and (change := side.parameters.left_field_change()):
             self._set(change)
 
     def _at_home(self, event: pygame.event.Event) -> bool:
@@ -74,7 +74,7 @@ class Events:
     def _recover(self, left: Unsaved) -> None:
         """Continue with a draft or a run that was not saved."""
         if isinstance(left, LeftRun):
-            self._space.go_on_with(left)
+            self._space.continue_run(left)
             return
         from sandbox.app.building.draft_and_version_choices import recover
         from sandbox.app.building.editor import Editor
@@ -85,15 +85,15 @@ class Events:
 
     def _key(self, event: pygame.event.Event) -> None:
         space, panels = self._space, self._space.panels
-        plays = self._plays(event)
+        plays = self._is_play_key(event)
         if plays:  # the number is taken, and letters are commands again
             panels.manager.set_focus_set(None)
-        typing = not plays and (panels.typing or self._answers(event))
+        typing = not plays and (panels.typing or self._begin_answer(event))
         if panels.focus.key(panels.manager, panels.layout, event):
             return
         if not typing and self._at_home(event):
             return
-        chosen, maker, session = command(event), space.maker, space.session
+        chosen, maker, session = command(event), space.stage_tool, space.session
         free = not (typing or space.help or space.panels.home.open)
         if free and maker is not None and session is not None and maker.key(event, session):
             return
@@ -102,34 +102,34 @@ class Events:
         else:
             space.panels.manager.process_events(event)
 
-    def _plays(self, event: pygame.event.Event) -> bool:
+    def _is_play_key(self, event: pygame.event.Event) -> bool:
         """Whether a key is Space after the number of a parameter, which begins no other number."""
         side = self._space.panels.side
         return event.key == pygame.K_SPACE and side is not None and side.parameters.selected
 
-    def _answers(self, event: pygame.event.Event) -> bool:
+    def _begin_answer(self, event: pygame.event.Event) -> bool:
         """Let a key begin the answer to a question of the page, and return whether it does."""
         panels, side = self._space.panels, self._space.panels.side
         hidden = self._space.help or panels.home.open
-        return side is not None and not hidden and side.answers(event)
+        return side is not None and not hidden and side.focus_answer_field(event)
 
     def _click(self, event: pygame.event.Event) -> None:
         """Pass an event to the list, the controls, the side panel, or the stage."""
         space = self._space
-        if path := space.panels.wanted(event):
+        if path := space.panels.chosen_level(event):
             space.open_file(without_links(path))
-        elif space.panels.accepts(event):
+        elif space.panels.accepts_offer(event):
             space.run_as_advised()
         elif chosen := space.panels.pressed(event):
             self._commands.do(chosen)
         elif self._seek(event) or self._click_side(event):
             return
         elif space.session is not None:
-            self._touch(event, space.session)
+            self._act_on_stage(event, space.session)
 
-    def _touch(self, event: pygame.event.Event, session: Session) -> None:
+    def _act_on_stage(self, event: pygame.event.Event, session: Session) -> None:
         """Pass a mouse event to the page's tool on the stage, or to the hand."""
-        space, maker = self._space, self._space.maker
+        space, maker = self._space, self._space.stage_tool
         space.follow(session)  # an earlier event may have restarted it
         mouse, area = pygame.mouse.get_pos(), space.panels.layout.stage
         if event.type == pygame.MOUSEWHEEL and area.collidepoint(mouse):
@@ -140,17 +140,17 @@ class Events:
             try:
                 space.hand.process(event, area, session)
             except SandboxError as error:
-                space.banner.tell(say(error.message))
+                space.banner.write(say(error.message))
 
     def _seek(self, event: pygame.event.Event) -> bool:
         """Go to the time that was clicked or dragged to on the time bar; return whether one was."""
-        share, session = self._space.panels.controls.sought(event), self._space.session
+        share, session = self._space.panels.controls.clicked_share(event), self._space.session
         if share is None or session is None:
             return share is not None
         try:
             session.go_to(round(share * session.span))
         except SandboxError as error:
-            self._space.banner.tell(say(error.message))
+            self._space.banner.write(say(error.message))
         return True
 
     def _click_side(self, event: pygame.event.Event) -> bool:
@@ -163,7 +163,7 @@ class Events:
             return True
         answer = side.act(event)
         if answer is not None:
-            self._space.banner.tell(answer)
+            self._space.banner.write(answer)
         return answer is not None
 
     def _change(self, event: pygame.event.Event) -> bool:
@@ -182,8 +182,8 @@ class Events:
         refusal = change.refusal
         if change.value is not None and change.value != session.chosen[change.name]:
             try:
-                session.change({change.name: change.value}, otherwise=change.shifted)
-                banner.tell("")
+                session.change({change.name: change.value}, otherwise=change.with_shift)
+                banner.write("")
             except SandboxError as error:
                 refusal = error.message
         side.parameters.show(session.chosen)

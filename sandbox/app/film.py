@@ -81,7 +81,7 @@ def _frames(
         due = min(round(count / FRAMES / dt), last)
         while session.world.steps < due and session.failure is None:
             session.step()
-            stage.watch()
+            stage.note_speeds()
         stage.view.flashes = session.flashes
         stage.draw(picture, session.trail, session.milestones())
         yield (due / last if last else 1.0), pygame.image.tobytes(picture, "RGB")

@@ -32,12 +32,12 @@ class Load:
     drawing: float = 0.0
     """The time of drawing panels and stage."""
 
-    def stepped(self, seconds: float, hooks: float) -> None:
+    def note_steps(self, seconds: float, hooks: float) -> None:
         """Record the time of a frame's steps, and of the hooks in them [s]."""
         self.physics += SMOOTHING * (seconds - hooks - self.physics)
         self.hooks += SMOOTHING * (hooks - self.hooks)
 
-    def drew(self, seconds: float) -> None:
+    def note_drawing(self, seconds: float) -> None:
         """Record the time of drawing a frame [s]."""
         self.drawing += SMOOTHING * (seconds - self.drawing)
 

@@ -4,7 +4,7 @@ import pygame
 
 from sandbox.app.drawing import theme
 from sandbox.app.measuring import trail_probe
-from sandbox.app.observing.earlier_runs import alike
+from sandbox.app.observing.earlier_runs import have_same_bodies
 from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import stage_messages
@@ -34,8 +34,8 @@ def paint(space: Workspace) -> None:
     for x in (layout.stage.left, layout.stage.right - 1):
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
     if space.help:
-        rows = page(space.panels.page).own_keys() if space.maker is not None else ()
-        messages = rows or stage_messages.everywhere()
+        rows = page(space.panels.page).own_keys() if space.stage_tool is not None else ()
+        messages = rows or stage_messages.window_keys_and_mouse()
         space.sheets = stage_messages.draw_help(
             surface, space.pen, layout.stage, messages, space.help
         )
@@ -43,7 +43,7 @@ def paint(space: Workspace) -> None:
 
 def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:
     """Draw the run, or a page's own picture in its place, with measurements and messages."""
-    maker = space.maker
+    maker = space.stage_tool
     space.stage.camera.offset = 0.0, 0.0  # what a page draws is seen from the ground
     if maker is None or not maker.draw(view, space.stage, space.pen, session):
         _paint_run(space, view, session)
@@ -67,7 +67,7 @@ def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None
     stage.view.looking = None if recalled else session.looking
     stage.view.flashes = () if space.comfort.chosen.reduced else session.flashes
     stage.asked = page(space.panels.page).overlay if space.panels.side is not None else ""
-    earlier = [run.trail for run in session.earlier if alike(run.world, session.shown)]
+    earlier = [run.trail for run in session.earlier if have_same_bodies(run.world, session.shown)]
     trail = recalled.trail if recalled else session.trail
     stage.draw(view, trail, session.milestones(), session.companions, earlier)
     x, y = pygame.mouse.get_pos()

@@ -35,7 +35,7 @@ BUFFER = 512
 """The buffer size of the device in samples: at this rate the latency is 23 ms."""
 
 
-def opened() -> str:
+def open_device() -> str:
     """Open the sound device, if it is not open; return why that fails, else an empty string."""
     if pygame.mixer.get_init():
         return ""
@@ -60,12 +60,12 @@ class Sounds:
         if not blows or self._rest > 0 or not self._ready():
             return 0
         self._rest = APART
-        hardest = sorted(blows, key=lambda blow: -blow.share)[:AT_ONCE]
+        hardest = sorted(blows, key=lambda blow: -blow.strength)[:AT_ONCE]
         for blow in hardest:
             sound = self._sound(semitones(world.scene.mass, blow.body))
             channel = pygame.mixer.find_channel()
             if channel is not None:
-                channel.set_volume(blow.share)
+                channel.set_volume(blow.strength)
                 channel.play(sound)
         return len(hardest)
 
@@ -78,7 +78,7 @@ class Sounds:
     def _ready(self) -> bool:
         """Whether a device is open; opening one is tried only once if it fails."""
         if not (self._silent or pygame.mixer.get_init()):
-            self._silent = bool(opened())
+            self._silent = bool(open_device())
         return pygame.mixer.get_init() is not None
 
 

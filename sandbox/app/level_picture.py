@@ -85,7 +85,7 @@ def render(
     stage = Stage(pen, (size[0] - SIDE, size[1]))
     stage.use(session.world)
     stage.fit()
-    _run(session, session.duration * TELLING if at is None else at, stage.watch)
+    _run(session, session.duration * TELLING if at is None else at, stage.note_speeds)
     drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
     stage.draw(drawn, session.trail, session.milestones(), session.companions)
     run_legend.draw(drawn, pen, runs_beside(session)[1], own=stage.view.colors)
@@ -152,12 +152,12 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
     drawn = energy_graph.energies((width, GRAPH), session.books.history, session.duration)
     foot = energy(pen, width, session.books.start, session.books.energies, drawn)
     end = picture.height - foot.height - MARGIN
-    picture.blit(_judged(session, pen, width, end - y), (left, y))
+    picture.blit(_comparison_or_checks(session, pen, width, end - y), (left, y))
     picture.fill(theme.PANEL, (left, end, width, picture.height - end))
     picture.blit(foot, (left, end))
 
 
-def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
+def _comparison_or_checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
     """Draw a page's comparison of the runs, or the checks."""
     page, _ = runs_beside(session)
     if page is not None and page.card is not None:

@@ -37,7 +37,7 @@ class LongFrameWatch:
         """Return a context in which the window stays responsive."""
         self._since = self._looked = perf_counter()
         self._behind = None
-        with cancellable(self._look):
+        with cancellable(self._check_time):
             yield
 
     def events(self) -> Sequence[pygame.Event]:
@@ -45,7 +45,7 @@ class LongFrameWatch:
         kept, self._kept = self._kept, []
         return [*kept, *pygame.event.get()]
 
-    def _look(self) -> None:
+    def _check_time(self) -> None:
         """Show a message with the time taken, once the frame is long; raise if the user cancels."""
         now = perf_counter()
         if now - self._since < LONG or now - self._looked < AGAIN:

@@ -84,7 +84,7 @@ def _opened(
     if level is None:
         window.do("home")
     elif left := unsaved():
-        window.banner.tell(notice(left[0]), lasting=True)
+        window.banner.write(notice(left[0]), lasting=True)
     if racing:
         window.do("race")
     try:

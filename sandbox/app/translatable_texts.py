@@ -34,7 +34,7 @@ the same in every language."""
 
 def words() -> Iterator[str]:
     """Yield all texts except keys, some more than once."""
-    every = (*_of_the_window(), *_of_the_physics(), *_of_the_format())
+    every = (*_window_texts(), *_physics_texts(), *_format_texts())
     return filter(has_words, every)
 
 
@@ -53,7 +53,7 @@ def has_words(text: str) -> bool:
     return bool(_WORD.search(text))
 
 
-def _of_the_window() -> Iterator[str]:
+def _window_texts() -> Iterator[str]:
     """Yield the names and descriptions of pages, overlays, keys, tools, themes and chapters."""
     yield from (binding.text for binding in keymap.BINDINGS)
     for page in PAGES:
@@ -69,7 +69,7 @@ def _of_the_window() -> Iterator[str]:
     yield from (chapter.capitalize() for chapter in (*dict.fromkeys(chapters), "opened"))
 
 
-def _of_the_physics() -> Iterator[str]:
+def _physics_texts() -> Iterator[str]:
     """Yield the names of effects, joints, forces and accounts, and of the studies' results."""
     for name, effect in EFFECTS.items():
         yield from (name, effect.shown_force_name, effect.account_name)
@@ -85,7 +85,7 @@ def _of_the_physics() -> Iterator[str]:
     yield from get_args(Setup)
 
 
-def _of_the_format() -> Iterator[str]:
+def _format_texts() -> Iterator[str]:
     """Yield the fields of a level, their descriptions, and their options."""
     for model in _models(Level, set()):
         yield editable_fields.summary_of(model)

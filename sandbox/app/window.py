@@ -7,7 +7,7 @@ from time import perf_counter
 import pygame
 
 from sandbox.app.command_actions import CommandActions
-from sandbox.app.event_dispatch import Events
+from sandbox.app.event_dispatch import EventDispatch
 from sandbox.app.files.open_level_watch import FileWatch
 from sandbox.app.frame_budget import FrameBudget
 from sandbox.app.frame_painting import paint
@@ -32,7 +32,7 @@ class Window(Workspace):
         super().__init__(size)
         self.commands = CommandActions(self)
         """The commands, by name."""
-        self._events = Events(self, self.commands)
+        self._events = EventDispatch(self, self.commands)
         self._watch, self._sounds = FileWatch(), Sounds()
         self.hold_up = LongFrameWatch(self)
         """Keeps the window responsive during long frames."""
@@ -52,7 +52,7 @@ class Window(Workspace):
         """Show frames until the window is closed, and yield after each."""
         self._show(0.0)
         yield
-        self.look_through()
+        self.preload()
         clock, before = pygame.time.Clock(), perf_counter()
         while self.open:
             clock.tick(RATE if self._busy else QUIET_RATE)
@@ -61,27 +61,27 @@ class Window(Workspace):
             self._keep_run(now - before)
             before = now
             yield
-        self.recovery.forget()
+        self.recovery.delete()
 
     def _keep_run(self, seconds: float) -> None:
         """Keep the run in a file, after some time [s], until the window is closed on purpose."""
         if self.session is not None and (why := self.recovery.follow(self.session, seconds)):
-            self.banner.tell(say(why))
+            self.banner.write(say(why))
 
-    def _say_first(self, text: str) -> None:
+    def _show_at_once(self, text: str) -> None:
         if self.empty:  # the first level is still being prepared: show the rest of the window
             self.lay_out()
             for _ in range(2):  # the rows of the list are made in the first
                 self.panels.update(0.0)
             self._draw(0.0)
-        super()._say_first(text)
+        super()._show_at_once(text)
 
     def _show(self, seconds: float) -> None:
         self.frame(seconds)
         pygame.display.flip()
 
     @staticmethod
-    def look_through() -> None:
+    def preload() -> None:
         """Import all pages, collect garbage and freeze what remains: later it would take frames."""
         preload()
         gc.collect()
@@ -97,23 +97,23 @@ class Window(Workspace):
     def frame(self, seconds: float) -> None:
         """Handle events, advance by some time [s], and draw."""
         begun, side, self._stepped = perf_counter(), self.panels.side, 0.0
-        kind = side.coming(seconds) if side is not None else ""
+        kind = side.due_part(seconds) if side is not None else ""
         with self.hold_up.watched():
-            self._pass(seconds, self._allowance.of(kind))
+            self._advance(seconds, self._allowance.of(kind))
         self._draw(seconds)
         if self._stepped:
             self._allowance.note(kind, perf_counter() - begun - self._stepped)
 
-    def _pass(self, seconds: float, allowed: float) -> None:
+    def _advance(self, seconds: float, allowed: float) -> None:
         """Handle events, and advance by some time [s]; steps may take the allowed time [s]."""
-        for event in self._happened(seconds):
+        for event in self._new_events(seconds):
             self._events.handle(event)
-        self.dress()
+        self.apply_preferences()
         if self._watch.changed(self.path, seconds) and self.path is not None:
             self.reload_changed(self.path)
         if self.session is not None:
             self.advising.follow(self.session)
-        self.panels.advise(self.advised)
+        self.panels.offer_rate(self.advised)
         self.panels.update(seconds)
         self.banner.update(seconds)
         if self.session is not None:
@@ -122,7 +122,7 @@ class Window(Workspace):
             self.undoing.follow(self.session, seconds)
             self._play(self.session, seconds, allowed)
             for text in self.workers.follow(self.session, seconds, self.panels.page):
-                self.banner.tell(text)
+                self.banner.write(text)
                 self.panels.mark_stars()  # some may have been earned
             self.follow(self.session)
         if self.panels.home.open:
@@ -130,7 +130,7 @@ class Window(Workspace):
             if not self.comfort.chosen.reduced:
                 self.panels.home.play(seconds)
 
-    def _happened(self, seconds: float) -> Sequence[pygame.Event]:
+    def _new_events(self, seconds: float) -> Sequence[pygame.Event]:
         """Return the events since the last frame; release memory once when the window gets idle."""
         events, before = self.hold_up.events(), self._quiet
         self._quiet = 0.0 if events else before + seconds
@@ -145,7 +145,7 @@ class Window(Workspace):
         session.update(seconds, allowed)
         if session.playing:
             self._stepped = perf_counter() - begun
-            self.load.stepped(self._stepped, world.kicks.seconds - hooks)
+            self.load.note_steps(self._stepped, world.kicks.seconds - hooks)
         if self.comfort.chosen.sound and not seeking:
             self._sounds.play(session.run.blows.since(steps), session.world, seconds)
 
@@ -156,7 +156,7 @@ class Window(Workspace):
             self.panels.side.update(seconds)
         self.panels.controls.update(self.session, self.stage.shown)
         paint(self)
-        self.load.drew(perf_counter() - begun)
+        self.load.note_drawing(perf_counter() - begun)
 
     def close(self) -> None:
         """Stop all background work."""

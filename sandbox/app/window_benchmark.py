@@ -110,7 +110,7 @@ def _settle(window: Window) -> None:
     """Draw all pictures of widgets, which are drawn only once, so that later frames lack them."""
     for _ in range(LOOKS):
         _show(window, 0.0)
-    window.look_through()
+    window.preload()
 
 
 def _cost(session: Session, most: float) -> float:

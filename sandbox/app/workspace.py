@@ -94,7 +94,7 @@ class Workspace:
         self.lay_out()
 
     @property
-    def maker(self) -> OnStage | None:
+    def stage_tool(self) -> OnStage | None:
         """The tool of the open page that replaces the hand on the stage, or None."""
         return self.workers.on_stage(self.panels.page) if self.panels.side is not None else None
 
@@ -108,7 +108,7 @@ class Workspace:
         """Whether there is neither a level nor a reason why it cannot be opened."""
         return self.session is None and self._refused is None
 
-    def dress(self) -> None:
+    def apply_preferences(self) -> None:
         """Apply preferences that have changed since the last call."""
         if self.comfort.chosen is self._followed:
             return
@@ -118,7 +118,7 @@ class Workspace:
         self.panels.renew(self.surface.size)
         if self.session is not None:
             self.stage.use(self.session.world)
-            self._entitle(self.session.original)
+            self._set_window_title(self.session.original)
         self.lay_out()
 
     def _follow_preferences(self) -> None:
@@ -165,32 +165,32 @@ class Workspace:
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
         ran = path.name.endswith(runfile.SUFFIX)
         try:
-            session = runfile.opened(path) if ran else self._begun(path, rate)
+            session = runfile.open_run(path) if ran else self._session_of_file(path, rate)
         except SandboxError as error:
             if self.session is not None and (ran or path.suffix != ".json"):
                 self.path, self._settings, self._accuracy = before
-                self.banner.tell(refused_level.in_brief(path, error))
+                self.banner.write(refused_level.in_brief(path, error))
                 return
             self._refuse(path, error)
             self._refused_rate = error.rate if isinstance(error, SimulationError) else None
             return
-        self._tell_of(session, path, ran=ran)
-        self._take_up(session, another=another)
+        self._announce(session, path, ran=ran)
+        self._show_session(session, another=another)
 
-    def go_on_with(self, left: LeftRun) -> None:
+    def continue_run(self, left: LeftRun) -> None:
         """Go on with the run of an earlier window, paused where it was; show any error."""
         try:
             session = left.session()
         except SandboxError as error:
-            self.banner.tell(say(error.message))
+            self.banner.write(say(error.message))
             return
         self.panels.home.leave()
         self.path, self._settings, self._accuracy = None, {}, None
-        self.banner.tell(say("The run goes on where it was"))
-        self._take_up(session, another=True)
+        self.banner.write(say("The run goes on where it was"))
+        self._show_session(session, another=True)
         self.recovery.replace(left)
 
-    def _take_up(self, session: Session, *, another: bool) -> None:
+    def _show_session(self, session: Session, *, another: bool) -> None:
         """Show a session, perhaps of another level."""
         if self.session is not None:
             session.speed = self.session.speed
@@ -200,7 +200,7 @@ class Workspace:
         self.stage.fit()
         if another:
             self.panels.show(opening(session.original, self.panels.page))
-        self._entitle(session.original)
+        self._set_window_title(session.original)
         self.lay_out()
         if session.world.scene.direct:
             from sandbox.physics.contacts.direct.complementarity.redundant_systems import preload
@@ -208,31 +208,31 @@ class Workspace:
             Thread(target=preload, daemon=True).start()
         give_back_gaps()  # left by the previous level
 
-    def _begun(self, path: Path, rate: float | None) -> Session:
+    def _session_of_file(self, path: Path, rate: float | None) -> Session:
         """Return a session of a level's file; announce what will take long."""
         if path.is_file() and path.stat().st_size > LONG:
-            self._say_first(say("Reading {file} …", file=path.name))
+            self._show_at_once(say("Reading {file} …", file=path.name))
         level = self._read(path)
         parts = len(level.bodies) + len(level.joints)
         if parts > MANY:
             message = later("Building {title}: {count:,} bodies and joints …")
-            self._say_first(say(message, title=legible(title_of_level(level)), count=parts))
+            self._show_at_once(say(message, title=legible(title_of_level(level)), count=parts))
         return Session(level, choose(level, self._settings), rate, patient=False)
 
-    def _tell_of(self, session: Session, path: Path, *, ran: bool) -> None:
+    def _announce(self, session: Session, path: Path, *, ran: bool) -> None:
         """Announce what was opened, and remember the user's own files."""
         complaint = self.comfort.complaint()
-        self.banner.tell(complaint, lasting=bool(complaint))
+        self.banner.write(complaint, lasting=bool(complaint))
         if ran:  # not a level's file, which is watched and written to
             self.path = None
-            self.banner.tell(say("{file} plays again, with all of your actions", file=path.name))
+            self.banner.write(say("{file} plays again, with all of your actions", file=path.name))
         else:
             self._remember(path)
         if may_lean(session.world):
             message = later("The solver's iterations do not settle this pile: it may lean or fall")
-            self.banner.tell(say(message))
+            self.banner.write(say(message))
 
-    def _say_first(self, text: str) -> None:
+    def _show_at_once(self, text: str) -> None:
         """Show a message at once, before a computation that delays the next frame."""
         area = self.panels.layout.stage
         stage_messages.draw_banner(self.surface, self.pen, area, text, theme.NOTICE)
@@ -252,16 +252,16 @@ class Workspace:
             same = self._read(path) == self.session.original
         except SandboxError:
             message = say("{file} has mistakes now; F5 shows them", file=path.name)
-            self.banner.tell(message, lasting=True)
+            self.banner.write(message, lasting=True)
             return
         if same:
-            self.banner.tell("")
+            self.banner.write("")
         elif self.session.touched:
             message = say("{file} has changed; F5 reads it again", file=path.name)
-            self.banner.tell(message, lasting=True)
+            self.banner.write(message, lasting=True)
         else:
             self.reload()
-            self.banner.tell(say("{file} has changed and was read again", file=path.name))
+            self.banner.write(say("{file} has changed and was read again", file=path.name))
 
     def run_as_advised(self) -> None:
         """Restart at the advised rate."""
@@ -272,7 +272,7 @@ class Workspace:
             self.session.rerun(rate)
         if self.session is not None and rate is not None:
             message = later("now at {rate:,.0f} steps a second; F5 goes back to the level's own")
-            self.banner.tell(say(message, rate=rate))
+            self.banner.write(say(message, rate=rate))
 
     def follow(self, session: Session) -> None:
         """Show the session's world if it was rebuilt, perhaps from another file."""
@@ -286,7 +286,7 @@ class Workspace:
             if path is not None:
                 self.files.read_again(path)
             self.stage.fit()
-            self._entitle(session.original)
+            self._set_window_title(session.original)
             self.lay_out()
 
     def go_home(self, at: Path | None = None) -> None:
@@ -295,7 +295,7 @@ class Workspace:
         If it shows the results of a search, it then shows all levels instead.
         """
         home = self.panels.home
-        if home.open and not self.panels.sought:
+        if home.open and not self.panels.search_text:
             home.leave()
         else:
             home.enter(at or self.path)
@@ -329,10 +329,10 @@ class Workspace:
     def _remember(self, path: Path) -> None:
         """Add the user's own file to the recent ones."""
         if not path.is_relative_to(level_catalog.root()):
-            self.banner.tell(self.files.recent.add(path))
+            self.banner.write(self.files.recent.add(path))
 
     @staticmethod
-    def _entitle(level: Level) -> None:
+    def _set_window_title(level: Level) -> None:
         pygame.display.set_caption(f"{legible(title_of_level(level))} – {TITLE}")
 
 

@@ -73,7 +73,7 @@ def simulate(
     asked = at_least_lasting(level, values, duration)
     world = build(level, values, _resolved(asked, values, stepping or level.stepping, record or ()))
     try:
-        with np.errstate(all="ignore"):  # what is not finite is told by name
+        with np.errstate(all="ignore"):  # a value that is not finite is named in an error
             recorder = Recorder(world, needed(level) if record is None else record)
             closer = Closer(world) if books else None
             _record(world, count_steps(world, duration), recorder, closer, until)

@@ -34,7 +34,7 @@ def until(true: Callable[[], bool]) -> None:
 
 def findings(background: Background) -> list[object]:
     found: list[object] = []
-    until(lambda: found.extend(background.found()) or not background.running)  # type: ignore[func-returns-value]
+    until(lambda: found.extend(background.results()) or not background.running)  # type: ignore[func-returns-value]
     return found
 
 
@@ -64,7 +64,7 @@ def test_looking_does_not_wait(background: Background) -> None:
     background.start(work.dawdle)
 
     begun = time.monotonic()
-    list(background.found())
+    list(background.results())
 
     assert time.monotonic() - begun < 1
 
@@ -78,7 +78,7 @@ def test_work_that_is_cancelled_ends_at_once(background: Background) -> None:
 
     assert not background.running
     assert not alive(pid)
-    assert list(background.found()) == []
+    assert list(background.results()) == []
 
 
 @pytest.mark.sweep
@@ -86,7 +86,7 @@ def test_work_that_is_cancelled_ends_at_once(background: Background) -> None:
 def test_work_that_ignores_a_request_to_end_ends_at_once(background: Background) -> None:
     """So does everything started where SIGTERM is ignored: that is inherited."""
     background.start(work.ignore)
-    until(lambda: bool(list(background.found())))
+    until(lambda: bool(list(background.results())))
 
     begun = time.monotonic()
     background.cancel()
@@ -103,7 +103,7 @@ def test_work_that_dies_in_the_middle_of_a_finding_has_found_nothing(
     assert pid is not None
     until(lambda: not alive(pid))
 
-    assert list(background.found()) == []
+    assert list(background.results()) == []
     assert not background.running
 
 

@@ -19,7 +19,7 @@ def player(person: Person) -> Person:
 
 
 def titles(player: Person) -> set[str]:
-    return {level.title for level in player.listed.found}
+    return {level.title for level in player.listed.matching_levels}
 
 
 @pytest.mark.sweep
@@ -27,21 +27,21 @@ def test_words_find_levels_by_what_they_are_about(player: Person) -> None:
     player.press(pygame.K_SLASH, "/")
     player.type("helix")
 
-    assert player.listed.sought == "helix"
-    assert [level.path.stem for level in player.listed.found] == ["helix", "four-slides"]
+    assert player.listed.search_text == "helix"
+    assert [level.path.stem for level in player.listed.matching_levels] == ["helix", "four-slides"]
 
 
 def test_a_title_comes_before_a_summary_and_a_phrase_before_its_words(player: Person) -> None:
     player.press(pygame.K_SLASH, "/")
     player.type("cradle")
-    found = [level.title for level in player.listed.found]
+    found = [level.title for level in player.listed.matching_levels]
     assert found[0] == "Newton's cradle"
     assert "cradle" not in found[-1]
 
     player.listed.field.set_text("double pendulum")
-    assert player.listed.found[0].title == "Double pendulum"
+    assert player.listed.matching_levels[0].title == "Double pendulum"
     player.listed.field.set_text("pendulum double")
-    assert player.listed.found[0].title == "Double pendulum"
+    assert player.listed.matching_levels[0].title == "Double pendulum"
 
 
 def test_what_is_not_sought_is_hidden(player: Person) -> None:
@@ -64,7 +64,7 @@ def test_enter_opens_the_first_that_is_found_and_leaves_the_field(player: Person
     player.type("resonance")
     player.press(pygame.K_RETURN)
 
-    assert player.session.level.title == player.listed.found[0].title
+    assert player.session.level.title == player.listed.matching_levels[0].title
     player.press(pygame.K_SPACE, " ")
     assert player.session.playing
 
@@ -76,7 +76,7 @@ def test_escape_shows_all_again_and_does_not_quit(player: Person) -> None:
 
     player.press(pygame.K_ESCAPE)
 
-    assert len(player.listed.found) == len(level_catalog.names())
+    assert len(player.listed.matching_levels) == len(level_catalog.names())
     assert player.window.open
 
 
@@ -88,7 +88,7 @@ def test_escape_ends_a_search_that_has_been_left_before_it_quits(player: Person)
 
     player.press(pygame.K_ESCAPE)
 
-    assert len(player.listed.found) == len(level_catalog.names())
+    assert len(player.listed.matching_levels) == len(level_catalog.names())
     player.press(pygame.K_ESCAPE)
     assert player.window.open
     player.press(pygame.K_ESCAPE)
@@ -100,7 +100,7 @@ def test_what_is_sought_stays_while_levels_and_sizes_change(player: Person) -> N
     player.type("orbit")
     found = titles(player)
 
-    player.click(player.listed.button(player.listed.found[1].path).rect)
+    player.click(player.listed.button(player.listed.matching_levels[1].path).rect)
     assert titles(player) == found
 
     player.press(pygame.K_l, "l")
@@ -118,16 +118,16 @@ def test_the_way_home_shows_all_levels_again_not_what_was_sought_before(player: 
     player.press(pygame.K_RETURN)
     assert not at_home(player)
 
-    player.click(player.listed.way("home").rect)
+    player.click(player.listed.link_button("home").rect)
     assert at_home(player)
-    assert len(player.listed.found) == len(level_catalog.names())
+    assert len(player.listed.matching_levels) == len(level_catalog.names())
 
     player.press(pygame.K_SLASH, "/")
     player.type("orbit")
-    player.click(player.listed.way("home").rect)
+    player.click(player.listed.link_button("home").rect)
     assert at_home(player)
-    assert len(player.listed.found) == len(level_catalog.names())
-    player.click(player.listed.way("home").rect)
+    assert len(player.listed.matching_levels) == len(level_catalog.names())
+    player.click(player.listed.link_button("home").rect)
     assert not at_home(player)
 
 
@@ -140,16 +140,16 @@ def test_what_is_typed_after_the_key_of_the_search_takes_the_place_of_what_was_s
     player.press(pygame.K_SLASH, "/")
     player.type("skater")
 
-    assert player.listed.sought == "skater"
+    assert player.listed.search_text == "skater"
 
 
 def test_where_no_level_has_all_words_those_with_most_of_them_are_found(player: Person) -> None:
     player.press(pygame.K_SLASH, "/")
     player.type("fastest curved ramp")
 
-    titles = [entry.title for entry in player.listed.found]
+    titles = [entry.title for entry in player.listed.matching_levels]
     assert titles[0] == "Ball down a curved ramp"
-    assert all("curved" in e.words and "ramp" in e.words for e in player.listed.found)
+    assert all("curved" in e.words and "ramp" in e.words for e in player.listed.matching_levels)
 
 
 def test_nonsense_finds_nothing_and_says_so(player: Person) -> None:
@@ -158,7 +158,7 @@ def test_nonsense_finds_nothing_and_says_so(player: Person) -> None:
     player.type("xyzzy")
     player.press(pygame.K_RETURN)
 
-    assert player.listed.found == []
+    assert player.listed.matching_levels == []
     assert player.session.level.title == "Atwood machine"
     area = pygame.Rect(10, 45, 200, 30)
     after = player.window.surface
@@ -234,13 +234,13 @@ def test_the_keyboard_gets_to_every_row_and_few_are_there_at_a_time(
     visited, most = dict[str, None](), 0
 
     for _ in range(len(level_catalog.names()) + 60):
-        panels.go_on(direction)
+        panels.move_focus(direction)
         player.wait()
         at = panels.focus.element(panels.manager, panels.layout)
         visited |= {level.title: None for level, row in rows.rows.items() if row is at}
         most = max(most, len(rows.rows))
 
-    assert list(visited) == [level.title for level in rows.found][::direction]
+    assert list(visited) == [level.title for level in rows.matching_levels][::direction]
     assert most < 90
 
 
@@ -264,7 +264,7 @@ def test_where_a_search_ends_the_level_that_is_played_is_in_view(player: Person)
     player.wait(0.1)
 
     shown = player.listed
-    assert shown.sought == ""
+    assert shown.search_text == ""
     assert player.window.path is not None
     row = shown.button(player.window.path).rect
     assert player.window.panels.layout.levels.contains(row)

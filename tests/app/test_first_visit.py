@@ -13,7 +13,7 @@ from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.pages.predict.panel import PredictPage
 from sandbox.app.pages.predict.prediction_in_progress import PredictionWorker
-from sandbox.app.pages.share.background_film import Filming
+from sandbox.app.pages.share.background_film import FilmWorker
 from sandbox.app.pages.share.panel import SharePage
 from tests.app.person import Person, until
 
@@ -99,7 +99,7 @@ def test_everything_one_would_try_first_works(
     # and take a film of it along
     person.press(pygame.K_w, "w")
     person.click(person.page(SharePage).button("GIF").rect)
-    until(person, lambda: not person.window.workers.of(Filming).running)
+    until(person, lambda: not person.window.workers.of(FilmWorker).running)
     (file,) = (tmp_path / "documents").iterdir()
     assert file.suffix == ".gif"
     assert file.read_bytes()[:4] == b"GIF8"

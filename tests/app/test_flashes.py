@@ -21,7 +21,7 @@ def until_it_strikes(session: Session) -> Sequence[RecordedImpact]:
     while not session.flashes:
         assert session.world.steps < session.end
         session.step()
-    return [flash.blow for flash in session.flashes]
+    return [flash.impact for flash in session.flashes]
 
 
 @pytest.mark.sweep
@@ -30,11 +30,11 @@ def test_a_run_that_goes_back_shows_the_same_flashes_again() -> None:
     until_it_strikes(session)
     step, there = session.world.steps, session.flashes
     assert len(there) == 4
-    assert {flash.left for flash in there} == {1.0}
+    assert {flash.brightness for flash in there} == {1.0}
     for _ in range(20):
         session.step()
     later = session.flashes
-    assert all(0 < flash.left < 1 for flash in later)
+    assert all(0 < flash.brightness < 1 for flash in later)
 
     go_to(session, step - 1)
     assert session.flashes == []
@@ -60,7 +60,7 @@ def test_a_flash_takes_as_long_to_fade_at_every_speed(speed: float) -> None:
 def test_the_harder_an_impact_is_for_its_scene_the_larger_its_flash() -> None:
     session = opened("momentum/billiard-break")
     until_it_strikes(session)
-    shares = [blow.share for blow in session.run.blows.since(0)]
+    shares = [blow.strength for blow in session.run.blows.since(0)]
 
     assert max(shares) > 0.4  # the cue ball is the first to strike
     assert all(FAINTEST <= share <= 1 for share in shares)
@@ -72,7 +72,7 @@ def test_a_pile_that_stands_does_not_flash() -> None:
     for _ in range(200):
         session.step()
 
-    assert max((blow.share for blow in session.run.blows.since(0)), default=0.0) < 2 * FAINTEST
+    assert max((blow.strength for blow in session.run.blows.since(0)), default=0.0) < 2 * FAINTEST
 
 
 def test_no_more_impacts_are_kept_than_can_be_of_use() -> None:

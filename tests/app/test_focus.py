@@ -51,13 +51,13 @@ def test_tab_comes_to_every_widget_of_every_page_and_round_again(
     wanted = list(keyboard_focus.stops(panels.manager, panels.layout))
     seen = []
     for _ in wanted:
-        panels.focus.go(panels.manager, panels.layout, 1)
+        panels.focus.move(panels.manager, panels.layout, 1)
         seen.append(focused(person))
 
     assert len({id(each) for each in seen}) == len(wanted) == len(seen)
-    panels.focus.go(panels.manager, panels.layout, 1)
+    panels.focus.move(panels.manager, panels.layout, 1)
     assert focused(person) is seen[0]
-    panels.focus.go(panels.manager, panels.layout, -1)
+    panels.focus.move(panels.manager, panels.layout, -1)
     assert focused(person) is seen[-1]
 
 

@@ -81,14 +81,14 @@ def test_a_button_above_the_list_leads_home(person: Person) -> None:
     person.wait()
     assert person.window.panels.list is not None
 
-    person.click(person.window.panels.list.way("home").rect)
+    person.click(person.window.panels.list.link_button("home").rect)
 
     assert home(person).open
 
 
 def test_all_levels_of_the_list_have_a_card_in_its_order(visitor: Person) -> None:
     assert visitor.window.panels.list is not None
-    assert titles(visitor) == [level.title for level in visitor.window.panels.list.found]
+    assert titles(visitor) == [level.title for level in visitor.window.panels.list.matching_levels]
 
 
 def test_a_click_opens_a_level(visitor: Person) -> None:

@@ -102,7 +102,7 @@ def test_impacts_are_heard_while_time_passes_but_not_on_a_way_back(person: Perso
 
 def test_the_hardest_impacts_of_a_frame_are_played_as_loud_as_they_are_hard() -> None:
     world, player = build(load(level_catalog.find(CRADLE))), Sounds()
-    assert impact_sounds.opened() == ""
+    assert impact_sounds.open_device() == ""
 
     assert player.play(blows(0.1, 0.5, 0.9, 0.3, 0.2), world, FRAME) == AT_ONCE
 

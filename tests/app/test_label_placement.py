@@ -10,7 +10,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.stage import given_force_arrows
 from sandbox.app.stage.given_force_arrows import ForceLabel, Forces
 from sandbox.app.stage.label_placement import Labels
-from sandbox.app.stage.motion_annotations import boxes
+from sandbox.app.stage.motion_annotations import bounding_boxes
 from sandbox.app.stage.overlays import forces
 from sandbox.app.stage.stage import Stage
 from sandbox.model import level_catalog
@@ -26,30 +26,30 @@ BEST, SECOND = pygame.Rect(10, 10, 20, 10), pygame.Rect(10, 40, 20, 10)
 def test_the_best_place_is_taken_first_and_then_the_next_and_then_none() -> None:
     labels = Labels(BOUNDS)
 
-    assert labels.find([BEST, SECOND]) == BEST
-    assert labels.find([BEST, SECOND]) == SECOND
-    assert labels.find([BEST, SECOND]) is None
+    assert labels.place_for([BEST, SECOND]) == BEST
+    assert labels.place_for([BEST, SECOND]) == SECOND
+    assert labels.place_for([BEST, SECOND]) is None
 
 
 def test_words_stay_on_the_picture() -> None:
     beyond = pygame.Rect(90, 10, 20, 10)
 
-    assert Labels(BOUNDS).find([beyond, SECOND]) == SECOND
+    assert Labels(BOUNDS).place_for([beyond, SECOND]) == SECOND
 
 
 def test_words_cover_what_they_should_avoid_only_if_nothing_else_is_left() -> None:
     labels = Labels(BOUNDS)
 
-    assert labels.find([BEST, SECOND], avoid=[BEST]) == SECOND
-    assert labels.find([BEST, SECOND], avoid=[BEST]) == BEST
+    assert labels.place_for([BEST, SECOND], avoid=[BEST]) == SECOND
+    assert labels.place_for([BEST, SECOND], avoid=[BEST]) == BEST
 
 
 def test_words_lie_over_a_line_only_if_nothing_else_is_left() -> None:
     labels = Labels(BOUNDS)
     labels.mark((0, 0), (60, 30))
 
-    assert labels.find([BEST, SECOND]) == SECOND
-    assert labels.find([BEST, SECOND]) == BEST
+    assert labels.place_for([BEST, SECOND]) == SECOND
+    assert labels.place_for([BEST, SECOND]) == BEST
 
 
 def test_a_label_stays_where_it_was_while_no_other_place_is_better() -> None:
@@ -57,17 +57,17 @@ def test_a_label_stays_where_it_was_while_no_other_place_is_better() -> None:
     kept: dict[str, int] = {}
     labels = Labels(BOUNDS, kept)
     labels.mark((0, 0), (60, 30))
-    assert labels.find([BEST, SECOND], name="weight") == SECOND
+    assert labels.place_for([BEST, SECOND], name="weight") == SECOND
 
-    assert Labels(BOUNDS, kept).find([BEST, SECOND], name="weight") == SECOND
-    assert Labels(BOUNDS, kept).find([BEST, SECOND], name="other") == BEST
+    assert Labels(BOUNDS, kept).place_for([BEST, SECOND], name="weight") == SECOND
+    assert Labels(BOUNDS, kept).place_for([BEST, SECOND], name="other") == BEST
     labels = Labels(BOUNDS, kept)
     labels.mark((0, 45), (60, 45))
-    assert labels.find([BEST, SECOND], name="weight") == BEST
+    assert labels.place_for([BEST, SECOND], name="weight") == BEST
 
 
 def test_a_strict_label_is_left_out_rather_than_cover_what_it_should_avoid() -> None:
-    assert Labels(BOUNDS).find([BEST], avoid=[BEST], strict=True) is None
+    assert Labels(BOUNDS).place_for([BEST], avoid=[BEST], strict=True) is None
 
 
 def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
@@ -112,7 +112,7 @@ def test_what_was_measured_keeps_off_bodies(pen: Pen) -> None:
 
     balls = [(each, *stage.view.state(each)) for each in stage.view.moving]
     assert places
-    assert all(place.collidelist(boxes(stage.camera, balls)) < 0 for place in places)
+    assert all(place.collidelist(bounding_boxes(stage.camera, balls)) < 0 for place in places)
 
 
 def test_what_was_measured_keeps_off_the_arrow_of_a_force(
@@ -181,7 +181,7 @@ def test_a_line_that_ends_anywhere_is_looked_at_in_no_time() -> None:
     labels.mark((5, 15), (1e20, 15))
     labels.mark((5, -1e30), (1e10, 1e39))
 
-    assert labels.find([BEST, SECOND]) == SECOND
+    assert labels.place_for([BEST, SECOND]) == SECOND
 
 
 def test_no_label_lies_over_a_ruler(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -206,10 +206,10 @@ def test_where_all_is_to_be_avoided_lines_still_count() -> None:
     labels = Labels(BOUNDS)
     labels.mark((0, 15), (100, 15))
 
-    assert labels.find([BEST, SECOND], avoid=[BOUNDS]) == SECOND
+    assert labels.place_for([BEST, SECOND], avoid=[BOUNDS]) == SECOND
     labels.mark((0, 35), (100, 35))
-    assert Labels(BOUNDS).find([BEST, SECOND], avoid=[BOUNDS], strict=True) is None
-    assert Labels(BOUNDS).find([BEST, SECOND], avoid=[BOUNDS]) == BEST
+    assert Labels(BOUNDS).place_for([BEST, SECOND], avoid=[BOUNDS], strict=True) is None
+    assert Labels(BOUNDS).place_for([BEST, SECOND], avoid=[BOUNDS]) == BEST
 
 
 def test_the_energy_of_a_slanted_arm_is_written_beside_it(
@@ -259,8 +259,8 @@ def test_two_labels_beside_each_other_can_be_told_apart() -> None:
     labels = Labels(BOUNDS)
     left, beside = pygame.Rect(10, 10, 20, 10), pygame.Rect(30, 10, 20, 10)
 
-    assert labels.find([left]) == left
-    assert labels.find([beside, SECOND]) == SECOND
+    assert labels.place_for([left]) == left
+    assert labels.place_for([beside, SECOND]) == SECOND
 
 
 def test_the_forces_on_a_chassis_are_written_beside_the_car(
@@ -286,7 +286,9 @@ def test_the_forces_on_a_chassis_are_written_beside_the_car(
     monkeypatch.setattr(forces, "beside", noted)
     stage.draw(pygame.Surface((580, 540)))
 
-    car = boxes(stage.camera, ((each, *stage.view.state(each)) for each in stage.view.moving))
+    car = bounding_boxes(
+        stage.camera, ((each, *stage.view.state(each)) for each in stage.view.moving)
+    )
     assert len(written) == 5
     assert all(each.place.collidelist(car) < 0 for each in written)
     assert any(each.leader for each in written)
@@ -326,7 +328,7 @@ def test_what_was_measured_at_a_large_body_is_written_beside_it(
     stage.draw(pygame.Surface((640, 700)), session.trail, session.milestones())
 
     filled = (*stage.view.moving, *(each for each in stage.view.still if each.radius))
-    bodies = boxes(stage.camera, ((each, *stage.view.state(each)) for each in filled))
+    bodies = bounding_boxes(stage.camera, ((each, *stage.view.state(each)) for each in filled))
     assert places
     assert all(place.collidelist(bodies) < 0 for place in places)
 

@@ -37,7 +37,7 @@ def place(person: Person, body: str) -> tuple[float, float]:
 
 def test_at_the_centre_of_mass_all_momenta_add_up_to_zero() -> None:
     found = world("momentum/elastic-light-on-heavy", 40)
-    velocity = Observer(found, CENTER).seen(found.snapshot.velocity)
+    velocity = Observer(found, CENTER).relative(found.snapshot.velocity)
 
     assert found.scene.mass @ found.snapshot.velocity[:, 0] > 0.5
     assert found.scene.mass @ velocity == pytest.approx([0, 0], abs=1e-12)
@@ -63,10 +63,10 @@ def test_on_the_ground_all_is_seen_as_it_is() -> None:
     found = world("lagrange/double-pendulum", 30)
     observer = Observer(found, None)
 
-    assert observer.seen(found.snapshot.velocity) is found.snapshot.velocity
+    assert observer.relative(found.snapshot.velocity) is found.snapshot.velocity
     assert (observer.path(found.snapshot.position[None]) == found.snapshot.position).all()
     assert Observer(found, "nobody").place is None
-    assert observer.moved == (0, 0)
+    assert observer.displacement == (0, 0)
 
 
 def test_the_body_from_which_one_looks_stays_where_it_is(person: Person) -> None:
@@ -107,7 +107,7 @@ def test_the_key_goes_from_the_body_to_the_centre_of_mass_to_the_ground(person: 
         person.press(pygame.K_4, "4")
         seen.append(person.window.stage.view.observer.place)
     assert seen == ["second", CENTER, None]
-    assert person.window.banner.tells(seen_from(None))
+    assert person.window.banner.is_showing(seen_from(None))
 
     person.press(pygame.K_4, "4")
     person.session.looking.chosen = "first"
@@ -123,13 +123,13 @@ def test_who_observes_is_told_once_on_the_stage_itself(person: Person) -> None:
     observe(person, "momentum/elastic-light-on-heavy", "second")
 
     assert person.window.stage.view.observer.place == "second"
-    assert not person.window.banner.tells(seen_from("second"))
+    assert not person.window.banner.is_showing(seen_from("second"))
 
 
 def test_the_page_of_the_forces_has_a_button_for_it(person: Person) -> None:
     observe(person, "newton/incline", "block", times=0)
     person.press(pygame.K_j, "j")
-    person.window.panels.turn(9)
+    person.window.panels.scroll_pages(9)
     person.wait()
 
     person.click(person.page(ForcesPage).observer.rect)

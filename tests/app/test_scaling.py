@@ -155,7 +155,7 @@ def test_a_note_is_whole_in_a_narrow_window_and_leaves_some_of_the_stage(
             boxes.append(box.move(surface.get_abs_offset()))
         rect(surface, color, box, *more, **how)
 
-    person.window.banner.tell("saved /home/somebody/Documents/Mechanics sandbox/projectile 9.gif")
+    person.window.banner.write("saved /home/somebody/Documents/Mechanics sandbox/projectile 9.gif")
     monkeypatch.setattr(pygame.draw, "rect", noted)
     person.wait()
 

@@ -50,7 +50,7 @@ def drawn(found: Stage, color: Color) -> np.ndarray:
 
 def touches(pen: Pen, session: Session) -> list[contacts.Touch]:
     view = stage(pen, session).view
-    found = contacts.Touches(session.world).look([outline.name for outline in view.moving])
+    found = contacts.Touches(session.world).of_bodies([outline.name for outline in view.moving])
     return list(found)
 
 
@@ -215,7 +215,7 @@ def test_a_key_too_wide_for_the_stage_is_written_smaller(pen: Pen, width: int) -
 def test_the_page_of_the_forces_has_a_button_for_it(person: Person, overlay: Overlay) -> None:
     person.window.open_level("rotation/rolling")
     person.press(pygame.K_j, "j")
-    person.window.panels.turn(9)
+    person.window.panels.scroll_pages(9)
     person.wait()
     button = person.page(ForcesPage).overlay(overlay.name)
     shown = [button.is_selected]

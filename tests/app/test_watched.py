@@ -98,7 +98,7 @@ def test_the_window_offers_a_rate_for_a_run_that_stopped(person: Person, tmp_pat
     assert person.session.run.trying
     assert person.session.advised is None  # what has not been tried is not offered
     person.window.advising.cancel()
-    person.session.take(Advice(Message("tried: at 2,611 Hz it holds"), 2611.0))
+    person.session.add_advice(Advice(Message("tried: at 2,611 Hz it holds"), 2611.0))
     person.wait()
     offer = person.window.panels.offer
     assert offer is not None

@@ -14,7 +14,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.panels import stage_messages
 from sandbox.app.panels.play_bar import Controls
-from sandbox.app.panels.verdicts_and_energies import counted
+from sandbox.app.panels.verdicts_and_energies import counts_in_words
 from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
@@ -284,7 +284,7 @@ def test_the_foot_counts_the_checks_and_leads_to_them(player: Person) -> None:
 def test_the_checks_are_counted_in_words() -> None:
     verdicts: list[Verdict] = ["passed", "waiting", "passed", "failed", "not applicable"]
 
-    assert counted(verdicts) == "2 hold, 1 fails, 1 waits, 1 does not apply"
+    assert counts_in_words(verdicts) == "2 hold, 1 fails, 1 waits, 1 does not apply"
 
 
 def test_a_field_that_is_left_keeps_what_was_typed(player: Person) -> None:
@@ -530,7 +530,7 @@ def test_a_search_in_a_narrow_window_goes_to_the_cards(player: Person) -> None:
     player.type("cradle")
 
     assert player.window.panels.home.open
-    assert player.window.panels.sought == "cradle"
+    assert player.window.panels.search_text == "cradle"
 
 
 def test_in_a_narrow_window_the_columns_make_way_for_the_stage(player: Person) -> None:
@@ -598,7 +598,10 @@ def test_the_help_stands_whole_in_a_window_of_any_size(pen: Pen, size: tuple[int
     surface = pygame.Surface(size)
 
     stage_messages.draw_help(
-        surface, pen, divide(size, levels=True, side=True).stage, stage_messages.everywhere()
+        surface,
+        pen,
+        divide(size, levels=True, side=True).stage,
+        stage_messages.window_keys_and_mouse(),
     )
 
     drawn = np.argwhere(pygame.surfarray.array3d(surface).any(axis=2))
@@ -630,7 +633,7 @@ def test_in_a_small_window_with_large_text_the_help_stands_on_sheets_that_can_be
         player.press(pygame.K_h, "h")
 
     assert sheets == player.window.sheets > 1
-    assert {text for _, text in stage_messages.everywhere()} <= set(shown)
+    assert {text for _, text in stage_messages.window_keys_and_mouse()} <= set(shown)
     player.press(pygame.K_F1)
     player.press(pygame.K_ESCAPE)
     assert not player.window.help
@@ -719,7 +722,7 @@ def test_a_run_is_played_again_by_dropping_its_file(person: Person, tmp_path: Pa
 
     assert runfile.is_same(saved, person.session)
     assert person.window.path is None
-    assert person.window.banner.tells(f"{path.name} plays again, with all of your actions")
+    assert person.window.banner.is_showing(f"{path.name} plays again, with all of your actions")
     assert person.session.actions
 
 

@@ -25,7 +25,7 @@ def placed(monkeypatch: pytest.MonkeyPatch) -> tuple[list[pygame.Rect], list[tup
     """Return lists of where words stand from now on, and of the lines that they keep off."""
     places: list[pygame.Rect] = []
     lines: list[tuple[XY, XY]] = []
-    find, mark = Labels.find, Labels.mark
+    find, mark = Labels.place_for, Labels.mark
 
     def found(self: Labels, *told: object, **how: object) -> pygame.Rect | None:
         place = find(self, *told, **how)  # type: ignore[arg-type]
@@ -36,6 +36,6 @@ def placed(monkeypatch: pytest.MonkeyPatch) -> tuple[list[pygame.Rect], list[tup
         lines.append((start, end))
         mark(self, start, end)
 
-    monkeypatch.setattr(Labels, "find", found)
+    monkeypatch.setattr(Labels, "place_for", found)
     monkeypatch.setattr(Labels, "mark", marked)
     return places, lines

@@ -76,7 +76,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
     session.do_again((), 5)
     session.branch({"m1": 2.0})
     session.do_again(session.run.script, 10)
-    run = [runfile.text(runfile.run_of(session))]
+    run = [runfile.file_content(runfile.run_of(session))]
     text, data = level.text, ["# by hand\nt,left.position.y\n0,0\n0.1,0.01\n0.2,0.04\n"]
     shipped = [catalog.find(name).read_text(encoding="utf-8") for name in catalog.names()]
     draft = draft_recovery.RecoveryFile(

@@ -25,7 +25,7 @@ class EffectCosts(BackgroundTask):
 
     def follow(self) -> None:
         """Take what has been measured."""
-        for effect, seconds in self._work.found():
+        for effect, seconds in self._work.results():
             self._found[effect] = seconds
             self.news = object()
 

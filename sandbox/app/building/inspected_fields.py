@@ -201,8 +201,8 @@ def switch(work: EditedLevel, effect: str) -> None:
 def _example(work: EditedLevel, effect: str) -> Mapping[str, Any]:
     """Return example settings of an effect that requires some."""
     bodies = work.sketch.bodies.items()
-    moving = [name for name, body in bodies if body.outline.heavy]
-    return example(effect, moving, [name for name, body in bodies if not body.outline.heavy])
+    moving = [name for name, body in bodies if body.outline.is_dynamic]
+    return example(effect, moving, [name for name, body in bodies if not body.outline.is_dynamic])
 
 
 def suggestions(work: EditedLevel) -> list[ButtonAction]:

@@ -283,7 +283,7 @@ def _path(joint: Joint, specs: Mapping[str, Body], values: Values) -> list[XY]:
     path = [(p.real, p.imag) for p in (end_position(end, specs, values) for end in points(joint))]
     if isinstance(joint, Rail):
         return _rail(path[1], evaluate(joint.direction, values))
-    return joints.drawn(joint, path, values, lambda body: specs[body].angle(values))
+    return joints.drawn_path(joint, path, values, lambda body: specs[body].angle(values))
 
 
 def _rail(through: XY, direction: XY) -> list[XY]:

@@ -75,12 +75,12 @@ def _check(card: Card, reading: Reading, words: Say, split: "ErrorBudget | None"
         message = say("does not apply: it needs {condition}", condition=source)
         card.text(message, 12, theme.DIM, indent=card.indent)
     elif reading.measured is None:
-        message = say("waiting for {moment}", moment=formatting.moment(check))
+        message = say("waiting for {moment}", moment=formatting.moment_in_words(check))
         card.text(message, 12, color, indent=card.indent)
     elif reading.expected is None or result.error is None:
         ahead = reading.expected
         expected = "–" if ahead is None else formatting.quantity(ahead, result.unit)
-        until = (formatting.occasion(check), color)
+        until = (formatting.event_in_words(check), color)
         now = formatting.quantity(reading.measured, result.unit)
         card.columns(((now, theme.DIM), (expected, theme.TEXT), until), 13)
     else:
@@ -88,7 +88,7 @@ def _check(card: Card, reading: Reading, words: Say, split: "ErrorBudget | None"
         measured = (
             formatting.measured(reading.measured, reading.expected, result.unit)
             if split is None
-            else formatting.certain(reading.measured, split.difference, result.unit)
+            else formatting.trusted_value(reading.measured, split.difference, result.unit)
         )
         error = formatting.error(result.error)
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)

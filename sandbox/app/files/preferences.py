@@ -8,7 +8,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, TypeAdapter
 from sandbox.app.drawing.theme import DARK, NAMES, Name
 from sandbox.app.files import json_files
 from sandbox.app.words.language import Name as Language
-from sandbox.app.words.language import of_system, say
+from sandbox.app.words.language import say, system_language
 from sandbox.model.file_writing import data_folder
 
 SIZES = (80, 90, 100, 110, 125, 150, 175, 200)
@@ -75,7 +75,7 @@ class WindowPreferences:
     @property
     def language(self) -> Language:
         """The language of the window."""
-        return self.chosen.language or of_system()
+        return self.chosen.language or system_language()
 
     @property
     def scale(self) -> float:

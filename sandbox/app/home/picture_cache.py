@@ -122,7 +122,7 @@ def draw(path: Path, pen: Pen) -> pygame.Surface:
         if session.waiting or session.failure or perf_counter() - begun > PATIENCE:
             break
         session.step()
-        stage.watch()
+        stage.note_speeds()
     stage.draw(surface, session.trail)
     return pygame.transform.smoothscale(surface, SIZE)
 

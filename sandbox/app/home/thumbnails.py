@@ -58,7 +58,7 @@ class Thumbnails(BackgroundTask):
     def follow(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
         """Take in finished pictures, and request more: visible cards first, then the others."""
         came = False
-        for made in self._work.found():
+        for made in self._work.results():
             came, self._drawn = True, self._drawn + 1
             self._drawing = [path for path in self._drawing if path != made.path]
             self._take(made.path, made.png, seen=made.path in seen)

@@ -7,7 +7,7 @@ import numpy as np
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.app.observing.earlier_runs import alike
+from sandbox.app.observing.earlier_runs import have_same_bodies
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.view import View
@@ -55,7 +55,7 @@ class ProbedInstant(NamedTuple):
 
 def find(view: View, session: Session, pixel: XY) -> ProbedInstant | None:
     """Return the instant of this run or an earlier one nearest to a pixel; None if none is near."""
-    if not (view.few and view.shown["trail"] and alike(session.world, view.world)):
+    if not (view.few and view.shown["trail"] and have_same_bodies(session.world, view.world)):
         return None
     earlier = session.earlier if view.observer.place is None else ()
     histories = session.history, *(run.history for run in earlier)
@@ -66,7 +66,10 @@ def find(view: View, session: Session, pixel: XY) -> ProbedInstant | None:
 def _near(view: View, history: History, pixel: XY) -> Iterator[ProbedInstant]:
     """Yield the nearest instant of each moving body, if it is within `REACH`."""
     states, mouse, scale = history.snapshots, view.camera.to_world(pixel), view.camera.scale
-    seen, velocity = view.observer.seen(states.position), view.observer.seen(states.velocity)
+    seen, velocity = (
+        view.observer.relative(states.position),
+        view.observer.relative(states.velocity),
+    )
     paths = view.observer.path(states.position)
     for name, outline in view.outlines.items():
         if not outline.moves or outline.hidden:

@@ -58,12 +58,12 @@ class Earlier(NamedTuple):
         return self.left == other.left and self.world.values == other.world.values
 
 
-def alike(world: World, other: World) -> bool:
+def have_same_bodies(world: World, other: World) -> bool:
     """Whether two worlds have the same bodies, so that their runs can be drawn together."""
     return world is other or list(world.level.bodies) == list(other.level.bodies)
 
 
-def kept(
+def with_one_more(
     earlier: tuple[Earlier, ...], run: RunObservations, values: Values, left: float | None = None
 ) -> tuple[Earlier, ...]:
     """Return the earlier runs with one more, at most as many as there are colours, the newest last.

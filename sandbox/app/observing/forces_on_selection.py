@@ -57,7 +57,7 @@ class SelectedBody:
         self._bodies: tuple[World, FreeBodies] | None = None
         self._seen: tuple[Snapshot, str, FreeBody | None] | None = None
         self._full: dict[str, float] = {}
-        self._told: tuple[World, FreeBody, float] | None = None
+        self._last_shown: tuple[World, FreeBody, float] | None = None
 
     def body(self, level: Level) -> str | None:
         """Return the selected body if it exists, else the first dynamic body, or None."""
@@ -65,7 +65,7 @@ class SelectedBody:
             return self.chosen
         return next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
 
-    def go_on(self, level: Level) -> None:
+    def select_next(self, level: Level) -> None:
         """Select the next dynamic body, in the order of the level; after the last, the first."""
         names = [name for name, body in level.bodies.items() if body.type == "dynamic"]
         if names:
@@ -86,22 +86,22 @@ class SelectedBody:
             seen = self._seen = snapshot, body, self._bodies[1].of(body)
         return seen[2]
 
-    def tell(self, world: World, found: FreeBody) -> None:
+    def note_shown(self, world: World, found: FreeBody) -> None:
         """Record that a page shows these forces."""
-        self._told = world, found, perf_counter()
+        self._last_shown = world, found, perf_counter()
 
-    def told(self, world: World, found: FreeBody) -> FreeBody:
+    def as_last_shown(self, world: World, found: FreeBody) -> FreeBody:
         """Return the forces as last shown by a page, if they are the same ones, else as found.
 
         Otherwise numbers on the stage would change in every frame, and differ from the page's.
         """
-        if self._told is None or self._told[0] is not world:
+        if self._last_shown is None or self._last_shown[0] is not world:
             return found
-        _, texts, at = self._told
+        _, texts, at = self._last_shown
         same = texts.body == found.body and _whom(texts) == _whom(found)
         return texts if same and perf_counter() - at < HELD else found
 
-    def full(self, found: FreeBody) -> float:
+    def force_of_longest_arrow(self, found: FreeBody) -> float:
         """Return the force that corresponds to the longest arrow on a body [N].
 
         It is a round number that stays until forces exceed it or become much smaller; impacts do
@@ -115,7 +115,7 @@ class SelectedBody:
 
 
 def _whom(found: FreeBody) -> Sequence[tuple[str, str]]:
-    return [(acting.name, acting.by) for acting in felt(found)]
+    return [(acting.name, acting.by) for acting in not_negligible(found)]
 
 
 def color(acting: AppliedForce) -> Color:
@@ -136,25 +136,27 @@ def texts(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:
     the body or joint that exerts each, together with the name if several names are ambiguous; and
     a number if that is still ambiguous.
     """
-    forces = felt(found)
+    forces = not_negligible(found)
     alike = [acting for acting in forces if _count(forces, acting) > 1]
     short = len({acting.name for acting in alike}) == 1 and all(acting.by for acting in alike)
-    captions = [say(a.name) if a not in alike else _from(a) if short else _whole(a) for a in forces]
+    captions = [
+        say(a.name) if a not in alike else _with_source(a) if short else _in_full(a) for a in forces
+    ]
     sizes = [f"{newtons(acting.magnitude)} N" for acting in forces]
     return [*zip(forces, map(" ".join, zip(_numbered(captions), sizes, strict=True)), strict=True)]
 
 
 def titles(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:
     """Return the forces on a body, each with its name and what exerts it."""
-    forces = felt(found)
-    return [*zip(forces, _numbered([*map(_whole, forces)]), strict=True)]
+    forces = not_negligible(found)
+    return [*zip(forces, _numbered([*map(_in_full, forces)]), strict=True)]
 
 
-def _from(acting: AppliedForce) -> str:
+def _with_source(acting: AppliedForce) -> str:
     return say("from {giver}", giver=name_in_words(acting.by))
 
 
-def _whole(acting: AppliedForce) -> str:
+def _in_full(acting: AppliedForce) -> str:
     called = say(acting.name)
     return f"{called}, {name_in_words(acting.by)}" if acting.by else called
 
@@ -171,12 +173,12 @@ def _numbered(names: Sequence[str]) -> Sequence[str]:
     ]
 
 
-def felt(found: FreeBody) -> Sequence[AppliedForce]:
+def not_negligible(found: FreeBody) -> Sequence[AppliedForce]:
     """Return the forces on a body, without those negligible compared with the largest."""
     return [acting for acting in found.forces if acting.magnitude > FAINT * found.largest]
 
 
-def cleared(vector: XY, found: FreeBody) -> XY:
+def without_rounding(vector: XY, found: FreeBody) -> XY:
     """Return a sum of forces, with 0 for components that are only rounding errors."""
     x, y = (0.0 if abs(part) < FAINT * found.largest else part for part in vector)
     return x, y

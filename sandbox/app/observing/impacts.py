@@ -25,7 +25,7 @@ MOST = 256
 MOST_MARKS = 60
 """The largest number of marks; with more, the right one would be hard to find."""
 HARD = 0.1
-"""The least strength of a marked impact, as `RecordedImpact.share`."""
+"""The least strength of a marked impact, as `RecordedImpact.strength`."""
 
 ALIKE = 6
 """Decimals in comparisons of strengths, so that rounding errors do not order impacts."""
@@ -40,7 +40,7 @@ class RecordedImpact(NamedTuple):
     """The time of the impact [s]."""
     at: XY
     """The contact point [m]."""
-    share: float
+    strength: float
     """The strength, from `FAINTEST` to 1."""
     body: int
     """The index of the lighter of the dynamic bodies."""
@@ -53,8 +53,8 @@ class RecordedImpact(NamedTuple):
 class Flash(NamedTuple):
     """An impact that fades, with its remaining brightness from 1 to 0."""
 
-    blow: RecordedImpact
-    left: float
+    impact: RecordedImpact
+    brightness: float
 
 
 class ImpactLog:
@@ -72,9 +72,9 @@ class ImpactLog:
         """Record a step."""
         found = impacts(self._world)
         if found is not None:
-            self._last.extend(self._judged(found))
+            self._last.extend(self._with_strength(found))
 
-    def _judged(self, found: Impacts) -> Iterator[RecordedImpact]:
+    def _with_strength(self, found: Impacts) -> Iterator[RecordedImpact]:
         steps, t = self._world.steps, self._world.t
         self._peak = max(self._peak, found.momentum)
         usual = self._world.scene.mass[found.lighter] * self._usual
@@ -109,8 +109,8 @@ class ImpactMarks:
 
     def note(self, blows: Sequence[RecordedImpact]) -> None:
         """Add the impacts of a step, the latest first; the earliest of the hardest is kept."""
-        hardest = max(reversed(blows), key=lambda blow: round(blow.share, ALIKE), default=None)
-        if hardest and hardest.share >= HARD and len(self._at) <= MOST_MARKS:
+        hardest = max(reversed(blows), key=lambda blow: round(blow.strength, ALIKE), default=None)
+        if hardest and hardest.strength >= HARD and len(self._at) <= MOST_MARKS:
             self._at[hardest.steps] = hardest
 
     def forget_after(self, steps: int) -> None:

@@ -35,7 +35,7 @@ class Reading:
     """The value expected then, or before the event, at the event; None if that is unknown."""
 
 
-class Ration(Generic[T]):
+class TimeShare(Generic[T]):
     """Evaluates a growing run, within the share of time that this may take."""
 
     def __init__(self, look: Callable[[], T], nothing: T) -> None:
@@ -61,7 +61,7 @@ class RunGrader:
     def __init__(self, recorder: Recorder) -> None:
         self._recorder = recorder
         self._milestones: tuple[Milestone, ...] | None = ()  # None: to be determined on request
-        self._ration: Ration[tuple[Reading, ...]] = Ration(self._grade, ())
+        self._ration: TimeShare[tuple[Reading, ...]] = TimeShare(self._grade, ())
 
     def readings(self, hurried: bool) -> tuple[Reading, ...]:
         """Return the results of the checks; if `hurried`, perhaps slightly old ones."""

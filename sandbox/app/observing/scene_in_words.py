@@ -4,7 +4,7 @@ from cmath import exp
 from collections.abc import Iterator
 from math import hypot, sqrt
 
-from sandbox.app.observing.forces_on_selection import FAINT, cleared
+from sandbox.app.observing.forces_on_selection import FAINT, without_rounding
 from sandbox.app.words import formatting
 from sandbox.model.body import Body
 from sandbox.model.joints import End, Held, Joint, Pulley, Wire, points
@@ -127,7 +127,7 @@ def _motion(world: World, row: int) -> str:
         return ""
     vx, vy = (float(value) for value in world.snapshot.velocity[row])
     spin = float(world.snapshot.angular_velocity[row])
-    moves = f"moves {way(vx, vy)} at {formatting.quantity(hypot(vx, vy), 'm/s', 4)}"
+    moves = f"moves {direction_in_words(vx, vy)} at {formatting.quantity(hypot(vx, vy), 'm/s', 4)}"
     sense = "counter-clockwise" if spin > 0 else "clockwise"
     turns = f"turns {sense} at {formatting.quantity(abs(spin), 'rad/s', 3)}"
     motions = [*([moves] if hypot(vx, vy) > STILL else []), *([turns] if abs(spin) > STILL else [])]
@@ -194,7 +194,7 @@ def forces(world: World) -> Iterator[str]:
             yield from (f"  {line}" for line in lines)
 
 
-def way(x: float, y: float) -> str:
+def direction_in_words(x: float, y: float) -> str:
     """Return the nearest of eight directions in words, y up."""
     steep, level = abs(y) > 0.4142 * abs(x), abs(x) > 0.4142 * abs(y)
     sideways = ("right" if x > 0 else "left") if level else ""
@@ -214,14 +214,14 @@ def _forces_on(found: FreeBody) -> Iterator[str]:
         yield "no force"
         return
     yield from map(_acting, strong)
-    net = cleared(found.net, found)
+    net = without_rounding(found.net, found)
     if not any(net):
         yield "together no force"
         return
     force = formatting.quantity(hypot(*net), "N", DIGITS)
     rate = formatting.quantity(hypot(*found.acceleration), "m/s²", DIGITS)
     when = "in an impact it accelerates" if found.struck else "it accelerates"
-    yield f"together {force} {way(*net)}: {when} at {rate}"
+    yield f"together {force} {direction_in_words(*net)}: {when} at {rate}"
 
 
 def _acting(acting: AppliedForce) -> str:
@@ -231,7 +231,7 @@ def _acting(acting: AppliedForce) -> str:
     if not acting.magnitude:
         return f"{name} as a torque of {torque}"
     size = formatting.quantity(acting.magnitude, "N", DIGITS)
-    message = f"{name} {size} {way(*acting.force)}"
+    message = f"{name} {size} {direction_in_words(*acting.force)}"
     return (
         f"{message}, with a torque of {torque}"
         if abs(acting.couple) > TURNS * acting.magnitude

@@ -105,12 +105,12 @@ class ZoomablePage(Protocol):
 class CommandPage(Protocol):
     """A page with buttons for commands of the window."""
 
-    def leads(self, button: object) -> str | None:
+    def command_of(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
 
 
 @runtime_checkable
-class Asking(Protocol):
+class AskingPage(Protocol):
     """A page that asks for a number."""
 
     @property
@@ -193,13 +193,13 @@ class Page:
     """whether the energies are shown below it"""
     books: bool = False
     """whether it shows where energy or momentum comes from and goes, recorded while it is open"""
-    suits: Callable[[Level], bool] | None = None
+    suits_level: Callable[[Level], bool] | None = None
     """whether a level is opened with this page, instead of the first"""
-    recalls: bool = False
+    shows_recorded_states: bool = False
     """whether it shows the recorded state while the run is still on its way there"""
     overlay: str = ""
     """an overlay of the stage that is drawn while the page is shown, even if switched off"""
-    beside: Callable[[Session], Sequence[LegendRow]] | None = None
+    superimposed_runs: Callable[[Session], Sequence[LegendRow]] | None = None
     """the runs that the page superimposes on the stage, that of the session first; empty if none.
     A still picture then shows the page's card in place of the checks."""
 
@@ -209,7 +209,7 @@ class Page:
                 raise ValueError(self._lacks(f"a {part}"))
         if self.card is None and self.panel is None:
             raise ValueError(self._lacks("a card or a panel: it would show nothing"))
-        if self.card is None and self.beside is not None:
+        if self.card is None and self.superimposed_runs is not None:
             raise ValueError(self._lacks("a card, which a picture shows of what runs beside"))
 
     def _lacks(self, part: str) -> str:
@@ -245,7 +245,7 @@ class Page:
 
     def runs(self, session: Session) -> Sequence[LegendRow]:
         """Return the runs that the page superimposes on the stage."""
-        return self.beside(session) if self.beside is not None else ()
+        return self.superimposed_runs(session) if self.superimposed_runs is not None else ()
 
 
 class CardPanel:
@@ -265,7 +265,7 @@ class CardPanel:
     def update(self) -> None:
         """Draw the card again."""
         self._sheet.replace(self._image, self._drawn())
-        self._sheet.end(below(self._image) + 2)
+        self._sheet.set_content_height(below(self._image) + 2)
 
     def _drawn(self) -> pygame.Surface:
         return self._card(self._sheet.pen, self._sheet.width, self._session)

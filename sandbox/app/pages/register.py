@@ -62,10 +62,12 @@ def opening(level: Level, shown: str) -> str:
     A page made for such levels takes precedence; it closes with the next level that it does not
     suit. Other pages stay.
     """
-    made = next((page for page in PAGES if page.suits is not None and page.suits(level)), None)
+    made = next(
+        (page for page in PAGES if page.suits_level is not None and page.suits_level(level)), None
+    )
     if made is not None:
         return made.command
-    return PAGES[0].command if page(shown).suits is not None else shown
+    return PAGES[0].command if page(shown).suits_level is not None else shown
 
 
 def runs_beside(session: Session) -> tuple[Page | None, Sequence[LegendRow]]:

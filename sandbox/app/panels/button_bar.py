@@ -51,7 +51,7 @@ class Bar:
         pressed = (c for c, button in self._buttons.items() if button is event.ui_element)
         return next(pressed, None)
 
-    def sought(self, _event: pygame.event.Event) -> float | None:
+    def clicked_share(self, _event: pygame.event.Event) -> float | None:
         """Return the share of the run that was clicked or dragged to, from 0 to 1; None if none."""
         return None
 

@@ -10,7 +10,7 @@ from pygame_gui.elements import UIButton, UIHorizontalSlider, UIScrollingContain
 from sandbox.app.drawing import theme
 from sandbox.app.panels.window_layout import Layout
 from sandbox.app.widgets.text_field import Field
-from sandbox.app.widgets.widget_helpers import scroll, scrolled
+from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
 
 Containers = Mapping[int, UIScrollingContainer]
 Stop = UIButton | Field | UIHorizontalSlider
@@ -44,12 +44,12 @@ class Focus:
             return self._at
         words, place = self._known
         alike = [(abs(i - place), each) for i, each in enumerate(stops(manager, layout))
-                 if _words(each) == words]  # fmt: skip
+                 if _text_of(each) == words]  # fmt: skip
         self._at = min(alike, key=lambda found: found[0])[1] if alike and words else None
         self._around = _scrolling(self._at, _containers(manager)) if self._at is not None else []
         return self._at
 
-    def go(self, manager: UIManager, layout: Layout, direction: int) -> None:
+    def move(self, manager: UIManager, layout: Layout, direction: int) -> None:
         """Move to the next or the previous widget, and scroll it into view."""
         found = stops(manager, layout)
         if not found:
@@ -59,7 +59,7 @@ class Focus:
         start = found.index(current) if current in found else (-1 if direction > 0 else 0)
         place = (start + direction) % len(found)
         at = self._at = found[place]
-        self._known = _words(at), place
+        self._known = _text_of(at), place
         manager.set_focus_set(at.get_focus_set() if isinstance(at, Field) else None)
         if isinstance(at, Field):
             at.select_range = [0, len(at.get_text())]
@@ -84,7 +84,7 @@ class Focus:
             pygame.event.post(pygame.Event(UI_BUTTON_PRESSED, ui_element=at, mouse_button=1))
             return True
         if isinstance(at, UIHorizontalSlider) and event.key in SLIDING:
-            _slide(at, SLIDING[event.key])
+            _move_slider(at, SLIDING[event.key])
             return True
         return False
 
@@ -164,10 +164,10 @@ def _show(container: UIScrollingContainer, each: UIElement) -> None:
     """Scroll a widget to the middle, unless it is visible."""
     view, place = container.rect, each.rect
     if place.top < view.top or place.bottom > view.bottom:
-        scroll(container, scrolled(container) + place.centery - view.centery)
+        scroll_to(container, scroll_position(container) + place.centery - view.centery)
 
 
-def _slide(slider: UIHorizontalSlider, direction: int) -> None:
+def _move_slider(slider: UIHorizontalSlider, direction: int) -> None:
     """Move a slider by a step, as if its knob had been dragged."""
     low, high = slider.value_range
     value = min(max(slider.get_current_value() + direction * slider.increment, low), high)
@@ -175,6 +175,6 @@ def _slide(slider: UIHorizontalSlider, direction: int) -> None:
     pygame.event.post(pygame.Event(UI_HORIZONTAL_SLIDER_MOVED, ui_element=slider, value=value))
 
 
-def _words(each: UIElement) -> str:
+def _text_of(each: UIElement) -> str:
     """Return the text of a button, or the type of another widget."""
     return str(getattr(each, "text", "")) if isinstance(each, UIButton) else type(each).__name__

@@ -19,7 +19,7 @@ from sandbox.app.files.challenge_stars import Progress
 from sandbox.app.files.level_entries import Entry, entry
 from sandbox.app.keymap import tip
 from sandbox.app.widgets.text_field import LONGEST, Field
-from sandbox.app.widgets.widget_helpers import Row, press, scroll, scrolled
+from sandbox.app.widgets.widget_helpers import Row, scroll_position, scroll_to, show_pressed
 from sandbox.app.words.language import plural, say
 from sandbox.model import level_catalog
 
@@ -84,7 +84,7 @@ class LevelList:
         width = rect.width - 2 * px(MARGIN)
         self.column = UIContainer(rect, manager)
         """The container of all widgets."""
-        self._commands = dict(self._ways(manager, pen, width))
+        self._commands = dict(self._make_links(manager, pen, width))
         self.field = Field(
             pygame.Rect(px(MARGIN), 2 * px(MARGIN) + px(FIELD), width, px(FIELD)), manager,
             container=self.column,
@@ -113,7 +113,9 @@ class LevelList:
             self._headings[chapter] = self._image(manager, pen, title, theme.ACCENT, bold=True)
         self._show()
 
-    def _ways(self, manager: UIManager, pen: Pen, width: int) -> Iterator[tuple[UIButton, str]]:
+    def _make_links(
+        self, manager: UIManager, pen: Pen, width: int
+    ) -> Iterator[tuple[UIButton, str]]:
         """Make the buttons that lead to other levels, and yield them with their commands.
 
         They share the room that their captions leave.
@@ -134,7 +136,7 @@ class LevelList:
         """Return the command whose button was pressed, if one was."""
         return self._commands.get(event.ui_element) if event.type == UI_BUTTON_PRESSED else None
 
-    def way(self, command: str) -> UIButton:
+    def link_button(self, command: str) -> UIButton:
         """Return the button of a command."""
         return next(button for button, own in self._commands.items() if own == command)
 
@@ -150,7 +152,7 @@ class LevelList:
 
     def update(self, focused: UIElement | None = None) -> None:
         """Make the rows that have become visible, and remove distant ones except `focused`."""
-        top, height = scrolled(self._container), self._container.rect.height
+        top, height = scroll_position(self._container), self._container.rect.height
         if top == self._seen:
             return
         self._seen = top
@@ -160,7 +162,7 @@ class LevelList:
             if self.rows[level] is not focused and not self.rows[level].hovered:
                 self.rows.pop(level).kill()  # type: ignore[no-untyped-call]
 
-    def reach(self, element: UIElement | None) -> None:
+    def make_reachable_rows(self, element: UIElement | None) -> None:
         """Make the rows that Tab may reach from a widget: its neighbours, the first, the last."""
         listed = list(self._tops)
         at = next((listed.index(level) for level, row in self.rows.items() if row is element), 0)
@@ -188,7 +190,7 @@ class LevelList:
             pygame.Rect(place), caption, self._container.ui_manager, tool_tip_text=tip,
             container=self._container, object_id=ObjectID(class_id="@level"),
         )  # fmt: skip
-        press(row, level.path == self._chosen)
+        show_pressed(row, level.path == self._chosen)
         return row
 
     def _caption(self, level: Entry) -> tuple[str, str | None]:
@@ -209,10 +211,10 @@ class LevelList:
 
     def _show(self) -> None:
         """Place the rows of the search result, and hide others; headings only without a search."""
-        found, self._tops, self._seen, y = self.found, {}, None, 0
+        found, self._tops, self._seen, y = self.matching_levels, {}, None, 0
         tops: dict[str, int] = {}  # px, the heights of the headings
         for level in found:
-            if level.chapter not in tops and not self.sought.strip():
+            if level.chapter not in tops and not self.search_text.strip():
                 tops[level.chapter] = y
                 y += self._px(HEADING)
             self._tops[level] = y
@@ -224,7 +226,7 @@ class LevelList:
             self._put(row, self._tops.get(level))
         size = self._width + self._px(MARGIN), max(y, self._px(HEADING)) + self._px(MARGIN)
         self._container.set_scrollable_area_dimensions(size)
-        scroll(self._container, 0)
+        scroll_to(self._container, 0)
 
     def _put(self, element: UIElement, y: int | None) -> None:
         """Show an element at a height [px], or hide it."""
@@ -235,14 +237,14 @@ class LevelList:
             element.hide()  # type: ignore[no-untyped-call]
 
     @property
-    def sought(self) -> str:
+    def search_text(self) -> str:
         """The text of the search field."""
         return str(self.field.get_text())
 
     @property
-    def found(self) -> list[Entry]:
+    def matching_levels(self) -> list[Entry]:
         """The levels with most, if possible all words of the search, the likeliest first."""
-        words = self.sought.casefold().split()
+        words = self.search_text.casefold().split()
         if not words:
             return list(self._levels)
         matches = [(e, [word for word in words if word in e.words]) for e in self._levels]
@@ -252,7 +254,7 @@ class LevelList:
 
     def clear(self) -> None:
         """End the search."""
-        if self.sought:
+        if self.search_text:
             self.field.set_text("")
             self._show()
             self.choose(self._chosen)
@@ -261,12 +263,12 @@ class LevelList:
         """Mark a level as the one that is played, and scroll to it."""
         self._chosen = path
         for level, row in self.rows.items():
-            press(row, level.path == path)
+            show_pressed(row, level.path == path)
         for level, y in self._tops.items():
             if level.path == path:
-                top, height = scrolled(self._container), self._container.rect.height
+                top, height = scroll_position(self._container), self._container.rect.height
                 if not top <= y <= top + height - self._px(ROW):
-                    scroll(self._container, y - height / 2)
+                    scroll_to(self._container, y - height / 2)
 
     def process(self, event: pygame.event.Event) -> Path | None:
         """Return the level that was clicked on, or with Enter the first found; None if neither."""
@@ -275,8 +277,12 @@ class LevelList:
             return next(pressed, None)
         if event.type == UI_TEXT_ENTRY_CHANGED and event.ui_element is self.field:
             self._show()
-        if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is self.field and self.found:
-            return self.found[0].path
+        if (
+            event.type == UI_TEXT_ENTRY_FINISHED
+            and event.ui_element is self.field
+            and self.matching_levels
+        ):
+            return self.matching_levels[0].path
         return None
 
     def button(self, path: Path) -> UIButton:

@@ -92,7 +92,7 @@ class Panels:
 
     def _begin(self, size: tuple[int, int]) -> None:
         self._dialog: OpenDialog | None = None
-        self._sought = self.sought
+        self._sought = self.search_text
         self.list = None
         self.offer: UIButton | None = None
         self.manager = Manager(
@@ -158,7 +158,7 @@ class Panels:
         self.close_dialog()
         self.manager.set_focus_set(None)
         if self.list is not None and listed != self._listed:
-            self._sought, self.list = self.list.sought, None
+            self._sought, self.list = self.list.search_text, None
         self._listed = listed
         kept = self.list.column if self.list is not None else None
         for element in list(self._root().elements):
@@ -181,30 +181,30 @@ class Panels:
         if self.list is not None:
             self.list.mark_stars()
 
-    def turn(self, pages: float) -> None:
+    def scroll_pages(self, pages: float) -> None:
         """Scroll the side panel or the refusal by a multiple of its height."""
         panel = self.side or self.refusal
         if panel is not None:
-            panel.turn(pages)
+            panel.scroll_pages(pages)
 
-    def go_on(self, direction: int) -> None:
+    def move_focus(self, direction: int) -> None:
         """Move the focus to the next or the previous widget, including rows out of sight."""
         if self.list is not None:
-            self.list.reach(self.focus.element(self.manager, self.layout))
-        self.focus.go(self.manager, self.layout, direction)
+            self.list.make_reachable_rows(self.focus.element(self.manager, self.layout))
+        self.focus.move(self.manager, self.layout, direction)
 
     def seek(self) -> None:
         """Focus the search field."""
         if self.list is not None:
             self.manager.set_focus_set(self.list.field.get_focus_set())
-            self.list.field.select_range = [0, len(self.list.sought)]
+            self.list.field.select_range = [0, len(self.list.search_text)]
 
     def list_all(self) -> None:
         """Clear the search."""
         if self.list is not None:
             self.list.clear()
 
-    def let_go(self) -> None:
+    def leave_field(self) -> None:
         """Close the dialog, or revert and leave the field with the focus, or clear the search."""
         if self.dialog is not None:
             self.close_dialog()
@@ -232,7 +232,7 @@ class Panels:
         shown = self._dialog is not None and self._dialog.alive()  # type: ignore[no-untyped-call]
         return self._dialog if shown else None
 
-    def wanted(self, event: pygame.event.Event) -> Path | None:
+    def chosen_level(self, event: pygame.event.Event) -> Path | None:
         """Return the level that was chosen in the list or in the dialog; None if none was."""
         path = self._dialog.picked(event) if self._dialog is not None else None
         if path is None and self.list is not None:
@@ -246,10 +246,10 @@ class Panels:
 
     def follow_home(self) -> None:
         """Show the search result of the list on the home page."""
-        found = self.list.found if self.list is not None else self._entries
-        self.home.update(self.layout.stage, found, self.sought)
+        found = self.list.matching_levels if self.list is not None else self._entries
+        self.home.update(self.layout.stage, found, self.search_text)
 
-    def advise(self, rate: float | None) -> None:
+    def offer_rate(self, rate: float | None) -> None:
         """Offer to run again at a rate [Hz]; None offers nothing."""
         if self.home.open:
             rate = None
@@ -260,7 +260,7 @@ class Panels:
             self.offer = stage_messages.offer(self.manager, self._pen, self.layout.stage, rate)
         self._advised = rate
 
-    def accepts(self, event: pygame.event.Event) -> bool:
+    def accepts_offer(self, event: pygame.event.Event) -> bool:
         """Return whether an event accepts the offer."""
         pressed = event.type == UI_BUTTON_PRESSED
         return pressed and self.offer is not None and event.ui_element is self.offer
@@ -277,6 +277,6 @@ class Panels:
         return self.list is not None and self.list.field.is_focused
 
     @property
-    def sought(self) -> str:
+    def search_text(self) -> str:
         """The text of the search field; empty if the list is hidden."""
-        return self.list.sought if self.list is not None else ""
+        return self.list.search_text if self.list is not None else ""

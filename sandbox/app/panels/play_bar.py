@@ -10,7 +10,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.panels.button_bar import GAP, MARGIN, Bar
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.widgets.widget_helpers import show_pressed
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 
@@ -60,12 +60,12 @@ class Controls(Bar):
             x = self._button("slower", "−", x + px(GAP), SMALL)
             self._speed = pygame.Rect(x, 0, px(SPEED), 0)
             x = self._button("faster", "+", x + px(SPEED), SMALL)
-        right = self._ways(x)
+        right = self._make_right_buttons(x)
         self._clock = pygame.Rect(x + px(12), rect.y, right - x - px(28), rect.height)
         self._seeking = False
         self._snaps: Sequence[float] = ()
 
-    def _ways(self, left: int) -> int:
+    def _make_right_buttons(self, left: int) -> int:
         """Make the buttons at the right that leave the clock its room, and return their left edge.
 
         `left` is the right edge of the other buttons [px].
@@ -103,7 +103,7 @@ class Controls(Bar):
         """Whether buttons at the right leave the clock its room beside those up to `left` [px]."""
         return self._edge(buttons) - left - self._pen.px(28) >= self._pen.px(CLOCK)
 
-    def sought(self, event: pygame.event.Event) -> float | None:
+    def clicked_share(self, event: pygame.event.Event) -> float | None:
         """Return the share of the run that was clicked or dragged to, from 0 to 1; None if none."""
         track = self._track
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
@@ -133,7 +133,7 @@ class Controls(Bar):
             self._buttons["play"].set_text(text)
         for command, on in shown.items():
             if command in self._buttons:
-                press(self._buttons[command], on)
+                show_pressed(self._buttons[command], on)
 
     def draw(self, surface: pygame.Surface, session: Session | None) -> None:
         """Draw the background, the speed and the clock; the manager draws the buttons."""
@@ -164,7 +164,7 @@ class Controls(Bar):
             done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
             pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)
         self._mark_impacts(surface, session)
-        self._mark_acts(surface, session)
+        self._mark_actions(surface, session)
         knob = track.x + track.width * share, float(track.centery)
         pygame.draw.aacircle(surface, theme.ACCENT, knob, pen.px(KNOB))
         if session.sought is not None:
@@ -195,7 +195,7 @@ class Controls(Bar):
             t = formatting.seconds(blow.t)
             yield say("{t}: {a} strikes {b}, {impulse}", t=t, a=a, b=b, impulse=impulse), theme.TEXT
 
-    def _mark_acts(self, surface: pygame.Surface, session: Session) -> None:
+    def _mark_actions(self, surface: pygame.Surface, session: Session) -> None:
         """Mark the user's actions, including those after the present time in a repeated run."""
         track, px = self._track, self._pen.px
         steps = {action.step for action in session.all_actions if action.kind in MARKED}

@@ -10,7 +10,7 @@ from sandbox.app.cards.card import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.scrolling_area import Sheet, below
-from sandbox.app.widgets.widget_helpers import scroll, scrolled
+from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
 from sandbox.app.words.language import plural, say
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import read
@@ -47,12 +47,12 @@ class Refusal:
         for group in mistakes.groups(found):
             drawn = mistakes.excerpt(pen, sheet.width, lines, group)
             y = below(sheet.image(drawn, y + GAP))
-        sheet.end(y + GAP)
+        sheet.set_content_height(y + GAP)
 
-    def turn(self, pages: float) -> None:
+    def scroll_pages(self, pages: float) -> None:
         """Scroll by a multiple of the visible height."""
         container = self._sheet.container
-        scroll(container, scrolled(container) + pages * container.rect.height)
+        scroll_to(container, scroll_position(container) + pages * container.rect.height)
 
 
 def _head(pen: Pen, width: int, error: SandboxError, *, mendable: bool) -> pygame.Surface:

@@ -13,14 +13,14 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_budget import Load
 from sandbox.app.pages import register
-from sandbox.app.pages.page import Asking, CommandPage, Desk, ZoomablePage
+from sandbox.app.pages.page import AskingPage, CommandPage, Desk, ZoomablePage
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
-from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Foot, View
+from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Footer, View
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Parameters
 from sandbox.app.widgets.scrolling_area import MARGIN, Panel, Sheet
-from sandbox.app.widgets.widget_helpers import scroll, scrolled
+from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
@@ -50,7 +50,9 @@ class SidePanel:
         top = self._tabs.bottom + px(TOP) - px(GAP)
         least = {FIRST: top + px(AMPLE)} if view is None else {}
         feet = (
-            _feet(manager, pen, rect, session, view or FIRST) if register.page(page).energy else ()
+            _possible_footers(manager, pen, rect, session, view or FIRST)
+            if register.page(page).energy
+            else ()
         )
         lowest = top + px(LEAST)
         self.foot = next((foot for foot in feet if foot.top >= least.get(foot.view, lowest)), None)
@@ -60,21 +62,21 @@ class SidePanel:
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
         """The page of the chosen tab."""
-        self._recalls = register.page(page).recalls
+        self._recalls = register.page(page).shows_recorded_states
         self.books = register.page(page).books or bool(self.foot and self.foot.books)
         """Whether the column shows where energy or momentum comes from and goes."""
         self._since, self._below = 0.0, False  # whether the footer is to be updated
         self._shown = self._state
 
-    def turn(self, pages: float) -> None:
+    def scroll_pages(self, pages: float) -> None:
         """Scroll by a multiple of the visible height."""
         container = self._sheet.container
-        scroll(container, scrolled(container) + pages * container.rect.height)
+        scroll_to(container, scroll_position(container) + pages * container.rect.height)
 
     def show_checks(self) -> None:
         """Scroll to the checks, if the page has them."""
         if self._sheet.checks is not None:
-            scroll(self._sheet.container, self._sheet.checks.relative_rect.y)
+            scroll_to(self._sheet.container, self._sheet.checks.relative_rect.y)
 
     def revert(self) -> None:
         """Reset all fields to the present values."""
@@ -85,7 +87,9 @@ class SidePanel:
         if event.type != UI_BUTTON_PRESSED:
             return None
         at_foot = self.foot.pressed(event.ui_element) if self.foot is not None else None
-        on_page = self.page.leads(event.ui_element) if isinstance(self.page, CommandPage) else None
+        on_page = (
+            self.page.command_of(event.ui_element) if isinstance(self.page, CommandPage) else None
+        )
         return at_foot or on_page or self._tabs.pressed(event.ui_element)
 
     def act(self, event: pygame.event.Event) -> str | None:
@@ -98,7 +102,7 @@ class SidePanel:
             self.page.update()
         return message
 
-    def zooms(self, event: pygame.event.Event) -> bool:
+    def zoom_page(self, event: pygame.event.Event) -> bool:
         """Let the wheel or the key Home zoom the page, and return whether it did."""
         if not isinstance(self.page, ZoomablePage):
             return False
@@ -106,9 +110,9 @@ class SidePanel:
             return self.page.wheel(event.precise_y, pygame.mouse.get_pos())
         return event.type == pygame.KEYDOWN and event.key == pygame.K_HOME and self.page.home()
 
-    def answers(self, event: pygame.event.Event) -> bool:
+    def focus_answer_field(self, event: pygame.event.Event) -> bool:
         """Focus the field that awaits a number if a key begins one, and return whether it did."""
-        field = self.page.awaited if isinstance(self.page, Asking) else None
+        field = self.page.awaited if isinstance(self.page, AskingPage) else None
         if field is None or event.mod & pygame.KMOD_CTRL or event.unicode not in BEGINS:
             return False
         self._sheet.manager.set_focus_set(field.get_focus_set())
@@ -147,7 +151,7 @@ class SidePanel:
         shown = self.desk.shown.values()
         return session.world.snapshot, session.playing, session.companions, looked_at, *shown, *news
 
-    def coming(self, seconds: float) -> Literal["", "page", "foot"]:
+    def due_part(self, seconds: float) -> Literal["", "page", "foot"]:
         """Return the part that is updated after some time [s], while time runs."""
         if self._below:
             return "foot"
@@ -180,11 +184,11 @@ class SidePanel:
             self.foot.update()
 
 
-def _feet(
+def _possible_footers(
     manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
-) -> Iterator[Foot]:
+) -> Iterator[Footer]:
     """Yield possible footers: the wanted view, then the lowest; each is removed for the next."""
     for each in dict.fromkeys((view, FOLDED)):
-        foot = Foot(manager, pen, rect, session, each)
+        foot = Footer(manager, pen, rect, session, each)
         yield foot
         foot.kill()

@@ -53,7 +53,7 @@ def _lines(pen: Pen, area: pygame.Rect, text: str) -> Sequence[pygame.Surface]:
     return lines
 
 
-def everywhere() -> list[tuple[str, str]]:
+def window_keys_and_mouse() -> list[tuple[str, str]]:
     """Return the keys of the window and the uses of the mouse on the stage, with descriptions."""
     return [*((binding.shown, binding.text) for binding in BINDINGS), ("", ""), *MOUSE]
 

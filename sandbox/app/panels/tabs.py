@@ -11,7 +11,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.drawing.text import Pen
 from sandbox.app.keymap import tip
 from sandbox.app.pages.page import Page
-from sandbox.app.widgets.widget_helpers import press, stretched
+from sandbox.app.widgets.widget_helpers import show_pressed, stretched
 from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a tab
@@ -41,7 +41,7 @@ class Tabs:
                     place, say(page.caption), manager, tool_tip_text=tip(page.command),
                     object_id=ObjectID(class_id="@tab"),
                 )  # fmt: skip
-                press(tab, page.command == chosen)
+                show_pressed(tab, page.command == chosen)
                 self._pages[tab] = page.command
                 x += width + px(GAP)
             self.bottom += px(HEIGHT) + px(GAP)
@@ -64,13 +64,13 @@ def rows(pen: Pen, pages: Sequence[Page], width: int) -> list[Sequence[Page]]:
         return max(ends[b] - ends[a] for a, b in pairwise(row_ends)) - gap
 
     for count in range(1, len(pages) + 1):
-        row_ends = min(_parted(len(pages), count), key=longest)
+        row_ends = min(_divisions(len(pages), count), key=longest)
         if longest(row_ends) <= width:
             return [pages[a:b] for a, b in pairwise(row_ends)]
     return [[page] for page in pages]
 
 
-def _parted(pages: int, count: int) -> Iterator[tuple[int, ...]]:
+def _divisions(pages: int, count: int) -> Iterator[tuple[int, ...]]:
     """Yield all divisions of pages into rows, as the indices of the row starts and the end."""
     for breaks in combinations(range(1, pages), count - 1):
         yield 0, *breaks, pages

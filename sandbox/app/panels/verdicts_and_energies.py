@@ -43,7 +43,7 @@ SIZE = 13  # of the letters in that line
 LAST = 8  # px, the margin at the bottom
 
 
-class Foot:
+class Footer:
     """The footer below every page."""
 
     def __init__(
@@ -121,10 +121,10 @@ def check_summary(session: Session) -> str:
     if session.world.disturbed:
         return say("Checks: not judged, changed by hand")
     verdicts = [reading.result.verdict for reading in session.readings()]
-    return say("Checks: {verdicts}", verdicts=counted(verdicts))
+    return say("Checks: {verdicts}", verdicts=counts_in_words(verdicts))
 
 
-def counted(verdicts: Sequence[Verdict]) -> str:
+def counts_in_words(verdicts: Sequence[Verdict]) -> str:
     """Return the numbers of checks with each verdict, in words."""
     found = Counter(verdicts)
     words: Mapping[Verdict, str] = {

@@ -11,7 +11,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.running_checks import Reading, RunGrader
 from sandbox.app.observing.thinned_series import ThinnedSeries
-from sandbox.app.runs.step_timer import Clock
+from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
@@ -33,7 +33,7 @@ class Changes:
     """the changes of each effect"""
     strength: Mapping[str, float] = field(default_factory=dict)
     """the strengths of effects that are switched on, relative to the default"""
-    left: Scheme | None = None
+    replaced_scheme: Scheme | None = None
     """the level's scheme, if it does not suit the changed level and leapfrog replaces it"""
 
     def __bool__(self) -> bool:
@@ -43,7 +43,7 @@ class Changes:
     def label(self) -> str:
         """The changes in words."""
         label = formatting.variations(self.effects)
-        return say("{changes}, both by leapfrog", changes=label) if self.left else label
+        return say("{changes}, both by leapfrog", changes=label) if self.replaced_scheme else label
 
 
 NONE = Changes()
@@ -77,7 +77,7 @@ class Companion:
         self.world = build(variant.level, values)
         self.trail = ThinnedSeries(self.world.snapshot.position)
         """The paths of its bodies."""
-        self.clock = Clock()
+        self.clock = StepTimer()
         """The computing time of its steps."""
         self._patience = TimeLimit()
         self.failure: SandboxError | None = None

@@ -66,7 +66,7 @@ class RunRecovery:
             return NOTHING
         begun, why = perf_counter(), NOTHING
         if session.world.steps or session.touched:
-            why = self._file.write(folder(), runfile.text(runfile.run_of(session)))
+            why = self._file.write(folder(), runfile.file_content(runfile.run_of(session)))
         else:
             self._file.forget(folder())
         self._kept, self._wait = now, max(OFTEN, SPARING * (perf_counter() - begun))
@@ -80,7 +80,7 @@ class RunRecovery:
         """Delete the file of an earlier window's run as soon as this window keeps the run."""
         self._kept, self._wait, self._replaced = _NEVER, 0.0, earlier.file
 
-    def forget(self) -> None:
+    def delete(self) -> None:
         """Delete the file, as the window is closed on purpose."""
         self._file.forget(folder())
 

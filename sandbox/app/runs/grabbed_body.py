@@ -24,7 +24,7 @@ class Grip:
             return
         body, (dx, dy) = self._held
         if not playing:
-            self._let_loose()
+            self._free()
             place = self._on_its_rod(body, (point[0] - dx, point[1] - dy))
             self._run.act("place", body, place)
             return
@@ -37,10 +37,10 @@ class Grip:
 
     def release(self) -> None:
         """Release the body."""
-        self._let_loose()
+        self._free()
         self._held = None
 
-    def _let_loose(self) -> None:
+    def _free(self) -> None:
         if self._pulling:
             self._run.act("release", "", (0.0, 0.0))
             self._pulling = False

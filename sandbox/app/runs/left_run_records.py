@@ -32,7 +32,7 @@ class Records(tuple[Record, ...]):
 
     __slots__ = ()
 
-    def having(self, run: RunObservations, actions: Sequence[Action]) -> "Records":
+    def with_run(self, run: RunObservations, actions: Sequence[Action]) -> "Records":
         """Return the records with one more run, unless one of them covers its last step."""
         if any(each.covers(run.steps(), actions) for each in self):
             return self

@@ -5,18 +5,18 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from sandbox.app.observing import measured_events
-from sandbox.app.observing.earlier_runs import Earlier, RunObservations, kept
+from sandbox.app.observing.earlier_runs import Earlier, RunObservations, with_one_more
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.impacts import ImpactLog, ImpactMarks
 from sandbox.app.observing.measured_events import Milestone
-from sandbox.app.observing.running_checks import Ration, Reading, RunGrader
+from sandbox.app.observing.running_checks import Reading, RunGrader, TimeShare
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.play_speed import Pace
 from sandbox.app.runs.run_limits import Limits
-from sandbox.app.runs.run_start import Beginning
-from sandbox.app.runs.step_timer import Clock
+from sandbox.app.runs.run_start import RunStart
+from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.runs.user_interventions import Action, perform
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -34,9 +34,7 @@ if TYPE_CHECKING:
 class LiveRun:
     """A run of a level, `original` as its file declares it, from the start to the step shown."""
 
-    def __init__(
-        self, original: Level, begun: Beginning, earlier: tuple[Earlier, ...] = ()
-    ) -> None:
+    def __init__(self, original: Level, begun: RunStart, earlier: tuple[Earlier, ...] = ()) -> None:
         self.world = world = begun.world
         """The world of the run; a new one after the run has branched."""
         self.companions = begun.companions
@@ -47,7 +45,7 @@ class LiveRun:
         """The parameters at the start; the run may have branched since."""
         self.earlier = earlier
         """The last runs with other parameters, the newest last."""
-        self.clock = Clock()
+        self.clock = StepTimer()
         self.end = count_steps(world)
         """The number of steps in the level's duration."""
         self.failure: SandboxError | None = None
@@ -77,7 +75,7 @@ class LiveRun:
         self.limits = Limits()
         self._patience = TimeLimit()
         self._record()
-        self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
+        self._attempts: TimeShare[Attempt | None] = TimeShare(self._attempt, None)
 
     @property
     def t(self) -> float:
@@ -105,7 +103,7 @@ class LiveRun:
     def keep_as_earlier(self, values: Mapping[str, float]) -> None:
         """Add the run to the earlier ones, before parameters change to the given values."""
         here = RunObservations(self.trail, self.history, self.world)
-        self.earlier = kept(self.earlier, here, values)
+        self.earlier = with_one_more(self.earlier, here, values)
 
     def advance(self) -> None:
         """Take a step with all companions, and record the observations."""
@@ -158,7 +156,7 @@ class LiveRun:
         self.script, self.ahead = (), None
         self.marks.forget_after(self.world.steps)
         if overwritten or branches:
-            self.earlier = kept(self.earlier, left, values, self.t)
+            self.earlier = with_one_more(self.earlier, left, values, self.t)
         if overwritten:
             self.release_what_is_held()
 
@@ -172,7 +170,7 @@ class LiveRun:
             return
         if world is not before:
             if action.kind == "branch" and self.ahead is None:
-                self.earlier = kept(self.earlier, self.farthest, world.values, self.t)
+                self.earlier = with_one_more(self.earlier, self.farthest, world.values, self.t)
             self._go_on_in(world, before, action)
             return
         self.actions.append(action)

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from sandbox.app.observing.earlier_runs import Earlier, RunObservations, alike
+from sandbox.app.observing.earlier_runs import Earlier, RunObservations, have_same_bodies
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companions import Companion
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.play_speed import Pace
-from sandbox.app.runs.step_timer import Clock
+from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
@@ -53,14 +53,14 @@ class RunView:
     @property
     def earlier(self) -> tuple[Earlier, ...]:
         """The last runs with other parameters and the same bodies, the newest last."""
-        return tuple(run for run in self.run.earlier if alike(run.world, self.world))
+        return tuple(run for run in self.run.earlier if have_same_bodies(run.world, self.world))
 
     @property
     def later(self) -> RunObservations | None:
         """The run before it was rewound, if it had more steps and the same bodies; else None."""
         ahead = self.run.ahead
         farther = ahead is not None and ahead.steps() > self.world.steps
-        return ahead if ahead and farther and alike(ahead.world, self.world) else None
+        return ahead if ahead and farther and have_same_bodies(ahead.world, self.world) else None
 
     @property
     def trail(self) -> ThinnedSeries:
@@ -108,7 +108,7 @@ class RunView:
         return self.run.all_actions
 
     @property
-    def clock(self) -> Clock:
+    def clock(self) -> StepTimer:
         """The computing time of the steps."""
         return self.run.clock
 

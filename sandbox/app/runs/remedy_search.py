@@ -35,9 +35,9 @@ class RemedySearch(BackgroundTask):
         from sandbox.physics.advising.remedy_trials import Advice
 
         found = Advice(NOTHING)
-        for finding in self._work.found():
+        for finding in self._work.results():
             found = finding
         if not (found.text or self._work.running):  # the search has ended without a result
-            session.take(Advice(Message("no remedy is known")))
+            session.add_advice(Advice(Message("no remedy is known")))
         elif found.text:
-            session.take(found)
+            session.add_advice(found)

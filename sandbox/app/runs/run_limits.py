@@ -38,6 +38,6 @@ class Limits:
         else:
             self.message = ""
 
-    def bear(self) -> None:
+    def continue_run(self) -> None:
         """Continue the run, and clear the message."""
         self.message = ""

@@ -106,7 +106,7 @@ class Playback(RunView, ABC):
         """Play or pause; continue a run that has failed, if that is possible."""
         if self.doubted:
             self.run.go_on()
-        self.run.limits.bear()
+        self.run.limits.continue_run()
         self.playing = not self.playing and self.failure is None
 
     def pause(self) -> None:
@@ -135,7 +135,7 @@ class Playback(RunView, ABC):
         if self._stands or (self.failure is not None and not back):
             return
         self.release()
-        self.run.limits.bear()
+        self.run.limits.continue_run()
         self.sought = sought
         if back:
             self._begin_again(sought, undone=undone)
@@ -154,7 +154,7 @@ class Playback(RunView, ABC):
         """Restart with the same parameters, to repeat the recorded actions."""
         before, actions = self.run, self.run.all_actions
         here = RunObservations(before.trail, before.history, before.world)
-        records = self._records.having(here, before.actions)
+        records = self._records.with_run(here, before.actions)
         self._take_up(self._run_anew())
         self._records = records
         self.run.script = [a for a in actions if a.step < sought or not undone]

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from sandbox.physics.accuracy.calibration import Setting
 
 
-class Beginning(NamedTuple):
+class RunStart(NamedTuple):
     """The start of a run."""
 
     world: World
@@ -26,21 +26,21 @@ class Beginning(NamedTuple):
     if the setting is not known yet."""
 
 
-def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: bool) -> Beginning:
+def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: bool) -> RunStart:
     """Build a level, and its companion runs.
 
     If `patient`, search for the setting that reaches the accuracy the level asks for, unless it is
     known. Raises `SandboxError` if the level or a variant cannot be built with these values.
     """
-    setting = _known(level, values, patient)
+    setting = _known_setting(level, values, patient)
     if setting is not None:
         offer = setting.for_drawing if patient else setting.for_playing
         world = build(level, values, offer.stepping)
     elif level.stepping.accuracy is None:
         world = build(level, values)
     else:
-        world = _for_now(level, values)
-    return Beginning(world, tuple(Companion(variant, values) for variant in beside), setting)
+        world = _at_default_rate(level, values)
+    return RunStart(world, tuple(Companion(variant, values) for variant in beside), setting)
 
 
 def at_rate(level: Level, rate: float | None) -> Level:
@@ -50,7 +50,7 @@ def at_rate(level: Level, rate: float | None) -> Level:
     return level.model_copy(update={"stepping": level.stepping.at(float(rate))})
 
 
-def _known(level: Level, values: Values, patient: bool) -> "Setting | None":
+def _known_setting(level: Level, values: Values, patient: bool) -> "Setting | None":
     target = level.stepping.accuracy
     if target is None:
         return None
@@ -59,7 +59,7 @@ def _known(level: Level, values: Values, patient: bool) -> "Setting | None":
     return (calibrated if patient else recalled)(level, values, target)
 
 
-def _for_now(level: Level, values: Values) -> World:
+def _at_default_rate(level: Level, values: Values) -> World:
     """Build a level that asks for an accuracy at the default rate, or at a stable one."""
     try:
         return build(level, values, Stepping())

@@ -30,8 +30,8 @@ class Setup(NamedTuple):
 
     level: Level
     changes: Changes
-    beside: Sequence[Variant]
-    begun: Mapping[str, float]
+    companions: Sequence[Variant]
+    start_values: Mapping[str, float]
     """the parameters at the start of the run"""
     branches: Sequence[Branch]
     values: Mapping[str, float]
@@ -59,7 +59,7 @@ class UndoHistory:
         if before is None or self._of is None or not all(map(_is, self._of, (session, level))):
             self._of = session, level
             self._past, self._future = [], []
-            self._rest(setup(session))
+            self._set_reference(setup(session))
             return
         self._since += seconds
         if session.sought is not None:
@@ -103,10 +103,10 @@ class UndoHistory:
         apply(session, wanted)
         come_from.pop()
         go_to.append(before)
-        self._rest(setup(session) if session.sought is None else wanted)
+        self._set_reference(setup(session) if session.sought is None else wanted)
         return say(message, what=_words(before, wanted))
 
-    def _rest(self, now: Setup) -> None:
+    def _set_reference(self, now: Setup) -> None:
         """Set the reference for the next change."""
         self._now, self._kind, self._since = now, frozenset(), inf
 
@@ -130,7 +130,7 @@ def differences(before: Setup, after: Setup) -> frozenset[str]:
     found = {SPEED} if before.speed != after.speed else set()
     if not _same_form(before, after):
         found.add(FORM)
-    back = before.begun == after.begun and len(after.branches) < len(before.branches)
+    back = before.start_values == after.start_values and len(after.branches) < len(before.branches)
     if not back:
         names = after.values.keys() & before.values.keys()
         found |= {name for name in names if before.values[name] != after.values[name]}
@@ -147,8 +147,8 @@ def apply(session: Session, wanted: Setup) -> None:
     common = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], both))
     lost, gained = now.branches[common:], wanted.branches[common:]
     if not _same_form(now, wanted):
-        session.play_as(wanted.level, wanted.beside, wanted.changes, wanted.values)
-    elif now.begun == wanted.begun and (lost or gained) and len(gained) <= 1:
+        session.play_as(wanted.level, wanted.companions, wanted.changes, wanted.values)
+    elif now.start_values == wanted.start_values and (lost or gained) and len(gained) <= 1:
         if lost:
             session.go_to(lost[0].step, undone=True)
         if gained:
@@ -169,7 +169,7 @@ def _branch(session: Session, branch: Branch) -> None:
 
 def _same_form(a: Setup, b: Setup) -> bool:
     """Whether the same variants of the level are played, compared by identity."""
-    beside = len(a.beside) == len(b.beside) and all(map(_is, a.beside, b.beside))
+    beside = len(a.companions) == len(b.companions) and all(map(_is, a.companions, b.companions))
     return a.level is b.level and a.changes == b.changes and beside
 
 

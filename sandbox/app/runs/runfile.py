@@ -99,7 +99,7 @@ def session_of(run: Run, *, patient: bool = True) -> Session:
     return session
 
 
-def opened(path: Path) -> Session:
+def open_run(path: Path) -> Session:
     """Return a session of a run's file that plays and does not block the window.
 
     Raises `SandboxError` as `read` and `session_of` do.
@@ -119,10 +119,10 @@ def save(run: Run, path: Path) -> None:
 
     Raises `SandboxError` if the file cannot be written.
     """
-    write_atomically(path, text(run) + "\n")
+    write_atomically(path, file_content(run) + "\n")
 
 
-def text(run: Run) -> str:
+def file_content(run: Run) -> str:
     """Return the content of a run's file."""
     return run.model_dump_json(indent=1, exclude_defaults=True)
 
@@ -145,7 +145,7 @@ def read(path: Path) -> Run:
     try:
         return Run.model_validate_json(content)
     except ValidationError as error:
-        place, reason = _told(error.errors(include_url=False)[0])
+        place, reason = _mistake(error.errors(include_url=False)[0])
         raise SandboxError(
             "{path} is not the file of a run: {place}: {reason}",
             path=path,
@@ -154,7 +154,7 @@ def read(path: Path) -> Run:
         ) from error
 
 
-def _told(first: ErrorDetails) -> tuple[str, Message]:
+def _mistake(first: ErrorDetails) -> tuple[str, Message]:
     """Return the position and the description of a file's mistake."""
     if first["type"] == "json_invalid":
         rule, place = parse_messages.refused(first["ctx"]["error"])

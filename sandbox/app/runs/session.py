@@ -8,7 +8,7 @@ from sandbox.app.observing.forces_on_selection import SelectedBody
 from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.run_player import AT_ONCE, Playback
-from sandbox.app.runs.run_start import Beginning, at_rate, begin
+from sandbox.app.runs.run_start import RunStart, at_rate, begin
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError, ValueRangeError
 from sandbox.model.expressions import Values
@@ -60,7 +60,7 @@ class Session(Playback):
         super().__init__(LiveRun(level, begun), watched=not patient)
         self._opened = self.level, self.values
 
-    def _built(self, level: Level, beside: Sequence[Variant], values: Values) -> Beginning:
+    def _built(self, level: Level, beside: Sequence[Variant], values: Values) -> RunStart:
         return begin(level, values, beside, patient=self._patient)
 
     def _run_with(self, values: Values) -> LiveRun:
@@ -189,7 +189,7 @@ class Session(Playback):
         self.playing = False
         self.do_again(actions, steps, AT_ONCE)
 
-    def take(self, advice: "Advice") -> None:
+    def add_advice(self, advice: "Advice") -> None:
         """Add the remedies that were found to the failure of the run."""
         self.run.trying, self.run.advice = False, advice
         if isinstance(self.failure, SimulationError):

@@ -12,7 +12,7 @@ from sandbox.physics.stepping.world import World
 MEMORY = 300  # steps
 
 
-class Clock:
+class StepTimer:
     """Times steps. Other processes only lengthen a step, so the lower quartile counts."""
 
     def __init__(self) -> None:
@@ -30,6 +30,6 @@ class Clock:
         return snapshot
 
     @property
-    def step(self) -> float | None:
+    def step_time(self) -> float | None:
         """The time of a step, with reading its state [s]; None before the first."""
         return float(np.quantile(self._last, 0.25)) if self._last else None

@@ -46,7 +46,7 @@ def draw_body(
     if not outline.closed:
         width = max(outline.thickness * camera.scale, 4)
         lines.path(surface, outline.color, corners, width)
-        draw_heads(surface, outline, corners, width)
+        draw_one_way_arrowheads(surface, outline, corners, width)
     else:
         _polygon(surface, outline.color, corners, rim)
 
@@ -129,27 +129,27 @@ def draw_crowd(
         pygame.draw.lines(surface, outline.color, False, corners, 2)
 
 
-def draw_heads(
+def draw_one_way_arrowheads(
     surface: pygame.Surface, outline: Outline, corners: Sequence[XY], width: float
 ) -> None:
     """Draw arrowheads towards a one-way line, on the side from which it lets bodies through."""
-    length = sum(dist(a, b) for a, b in pairwise(corners)) if outline.lets else 0.0
+    length = sum(dist(a, b) for a, b in pairwise(corners)) if outline.one_way else 0.0
     apart = length / max(round(length / LET), 1)
     begun = apart / 2
     for a, b in pairwise(corners) if length else ():
         if not (piece := dist(a, b)):
             continue
         ux, uy = (b[0] - a[0]) / piece, (b[1] - a[1]) / piece
-        wx, wy = uy * outline.lets, -ux * outline.lets
+        wx, wy = uy * outline.one_way, -ux * outline.one_way
         first, last = lines.visible_part(surface, a, b)
         for i in range(ceil((first - begun) / apart), ceil((last - begun) / apart)):
             along = begun + i * apart
             x, y = a[0] + ux * along - wx * (width / 2), a[1] + uy * along - wy * (width / 2)
-            _wedge(surface, (x, y), (wx, wy))
+            _arrowhead(surface, (x, y), (wx, wy))
         begun = (begun - piece) % apart
 
 
-def _wedge(surface: pygame.Surface, place: XY, direction: XY) -> None:
+def _arrowhead(surface: pygame.Surface, place: XY, direction: XY) -> None:
     """Draw an arrowhead along a unit vector, with its tip just before a point."""
     (x, y), (wx, wy) = place, direction
     base = x - wx * WEDGE[0], y - wy * WEDGE[0]

@@ -35,7 +35,7 @@ class Outline:
     """The index of the body in a snapshot's arrays."""
     moves: bool
     """Whether the body is dynamic or kinematic."""
-    heavy: bool
+    is_dynamic: bool
     """Whether the body is dynamic, so that the user can move it."""
     color: Color
     radius: float | None
@@ -52,7 +52,7 @@ class Outline:
     """The thickness of a line [m]."""
     sensor: bool = False
     """Whether the body is an area that others pass through."""
-    lets: int = 0
+    one_way: int = 0
     """The direction in which a one-way line lets bodies through: 1 to the left, −1 to the right; 0
     for other bodies."""
     hidden: bool = False
@@ -105,7 +105,7 @@ def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Ou
         name=name,
         row=row,
         moves=spec.type != "static",
-        heavy=spec.type == "dynamic",
+        is_dynamic=spec.type == "dynamic",
         color=_color(spec, moving),
         radius=radius,
         points=tuple(local_points(spec, values) if radius is None else _circle(radius)),
@@ -114,7 +114,7 @@ def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Ou
         hollow=isinstance(shape, Hoop),
         thickness=line.thickness(values) if line else 0.0,
         sensor=spec.sensor,
-        lets=LETS[spec.one_way],
+        one_way=LETS[spec.one_way],
         hidden=spec.hidden,
         layer=spec.layer,
     )

@@ -193,7 +193,7 @@ def beside(
         return None
     image = pen.outlined(text, color=color)
     around = [*_beside(image, start, end, length), *_further_off(image, end)]
-    place = labels.find([each.clamp(labels.bounds) for each in around], avoid, name=name)
+    place = labels.place_for([each.clamp(labels.bounds) for each in around], avoid, name=name)
     if place is None:
         return None
     if pygame.FRect(place).inflate(LEADER, LEADER).clipline(start, end):

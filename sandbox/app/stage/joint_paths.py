@@ -48,11 +48,11 @@ def path_of(
         return [(float(end.real), float(end.imag)) for end in ends]
     path = known_paths[name] if name in known_paths else between_ends(world, name)
     if isinstance(joint, Rail) and body_of(joint.ends[1]) is None:
-        return _far_along(camera, world, joint, path[1])
-    return joints.drawn(joint, path, world.values, angle_of)
+        return _rail_ends(camera, world, joint, path[1])
+    return joints.drawn_path(joint, path, world.values, angle_of)
 
 
-def _far_along(camera: Camera, world: World, rail: Rail, through: XY) -> list[XY]:
+def _rail_ends(camera: Camera, world: World, rail: Rail, through: XY) -> list[XY]:
     """Return two points of a rail outside the picture [m]."""
     (x, y), seen = camera.center, max(camera.size) / camera.scale
     direction = complex(*evaluate(rail.direction, world.values))

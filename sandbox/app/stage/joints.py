@@ -118,7 +118,7 @@ def _spring(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
 def _rope(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
     a, b = corners
     strings.draw_line(surface, _sagging(a, b) if slack else (a, b), slack)
-    strings.eyes(surface, (a, b))
+    strings.mark_ends(surface, (a, b))
 
 
 def _sagging(a: XY, b: XY) -> list[XY]:
@@ -240,7 +240,7 @@ def _buffer(place: XY, direction: XY) -> list[XY]:
     ]
 
 
-def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
+def stop_limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
     """Return the ends of a stop's range [m], given the points of the joint."""
     direction = complex(*evaluate(joint.direction, values))
     start = complex(*path[1])
@@ -248,7 +248,7 @@ def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
     return [(place.real, place.imag) for place in places]
 
 
-def rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]:
+def stop_rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]:
     """Return a pin, and points in the directions of the stops around it [m].
 
     The angle is that of the reference of the stops [rad].
@@ -260,7 +260,7 @@ def rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]
     return [center, *((center[0] + cos(a), center[1] + sin(a)) for a in found)]
 
 
-def drawn(
+def drawn_path(
     joint: Joint, path: list[XY], values: Values, angle_of: Callable[[str], float]
 ) -> list[XY]:
     """Return the points through which a joint is drawn, given those that it runs through [m].
@@ -269,12 +269,12 @@ def drawn(
     """
     match joint:
         case Winding():
-            return around(path[0], path[1], joint.radius(values), joint)
+            return wound_path(path[0], path[1], joint.radius(values), joint)
         case Stop():
-            return limits(joint, path, values)
+            return stop_limits(joint, path, values)
         case AngleStop():
             base = body_of(joint.ends[0])
-            return rays(joint, path[1], angle_of(base) if base else 0.0, values)
+            return stop_rays(joint, path[1], angle_of(base) if base else 0.0, values)
     return path
 
 
@@ -286,10 +286,10 @@ def _winding(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> Non
     """Draw a string from its end to a wheel, and around the wheel."""
     lines.path(surface, theme.STRING, corners[1:], 2)
     strings.draw_line(surface, corners[1::-1], slack)
-    strings.eyes(surface, (corners[0], corners[0]))
+    strings.mark_ends(surface, (corners[0], corners[0]))
 
 
-def around(end: XY, center: XY, radius: float, winding: Winding) -> list[XY]:
+def wound_path(end: XY, center: XY, radius: float, winding: Winding) -> list[XY]:
     """Return the points of a string from its end to a wheel, and around the wheel [m]."""
     x, y = end[0] - center[0], end[1] - center[1]
     side = acos(min(radius / (hypot(x, y) or radius), 1.0))

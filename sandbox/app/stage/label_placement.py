@@ -24,7 +24,7 @@ class Labels:
         self._taken: list[pygame.Rect] = []
         self._crossed: list[tuple[XY, XY]] = []
 
-    def take(self, place: pygame.Rect) -> None:
+    def occupy(self, place: pygame.Rect) -> None:
         """Mark an area as occupied [px]."""
         self._taken.append(place)
 
@@ -32,7 +32,7 @@ class Labels:
         """Mark a line, such as an arrow, that labels avoid if possible [px]."""
         self._crossed.append((start, end))
 
-    def find(
+    def place_for(
         self,
         places: Iterable[pygame.Rect],
         avoid: Sequence[pygame.Rect] = (),
@@ -64,7 +64,7 @@ class Labels:
         if best is None:
             return None
         self._kept[name] = best
-        self.take(spots[best])
+        self.occupy(spots[best])
         return spots[best]
 
     def _is_free(self, place: pygame.Rect) -> bool:

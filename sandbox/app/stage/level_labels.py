@@ -31,7 +31,7 @@ def draw_texts(surface: pygame.Surface, view: View) -> None:
             if where.colliderect(view.labels.bounds):  # one at the edge is not cut off
                 where.clamp_ip(view.labels.bounds)
             surface.blit(text, where)
-            view.labels.take(where)
+            view.labels.occupy(where)
 
 
 def draw_observer(surface: pygame.Surface, view: View) -> None:
@@ -42,7 +42,7 @@ def draw_observer(surface: pygame.Surface, view: View) -> None:
     text = view.pen.outlined(seen_from(place))
     where = text.get_rect(bottomleft=view.labels.bounds.move(MARGIN, -MARGIN).bottomleft)
     surface.blit(text, where)
-    view.labels.take(where)
+    view.labels.occupy(where)
 
 
 def seen_from(place: str | None) -> str:

@@ -5,7 +5,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from sandbox.app.stage.motion_annotations import PATH_POINTS, places
+from sandbox.app.stage.motion_annotations import PATH_POINTS, ghost_positions
 from sandbox.app.stage.observer import Observer
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.expressions import Array
@@ -31,7 +31,7 @@ class _Kept(NamedTuple):
     scale: float
 
 
-def heavy(world: World) -> list[tuple[int, str]]:
+def bodies_with_momentum(world: World) -> list[tuple[int, str]]:
     """Return the rows and names of the bodies that have a momentum."""
     return [(i, name) for i, name in enumerate(world.scene.bodies) if world.scene.mass[i] > 0]
 
@@ -41,20 +41,20 @@ def momenta(world: World, snapshot: Snapshot, place: str | None = None) -> Array
 
     They are as seen from a place, see `Observer`.
     """
-    scene, velocity = world.scene, Observer(world, place).seen(snapshot.velocity)
+    scene, velocity = world.scene, Observer(world, place).relative(snapshot.velocity)
     product: Array = (scene.mass * scene.mass_fraction(snapshot.t))[..., None] * velocity
     return product
 
 
-def expected(world: World) -> float:
+def expected_largest(world: World) -> float:
     """Return the largest momentum at the start or of a ghost [kg m/s]."""
     t = np.linspace(0.0, count_steps(world) * world.dt, PATH_POINTS)
-    peak, mass = _peak(momenta(world, world.snapshot)), dict(heavy(world))
+    peak, mass = _peak(momenta(world, world.snapshot)), dict(bodies_with_momentum(world))
     together = np.zeros((len(t) - 1, 2))
     count = 0
     for row, name in mass.items():
         formulas = world.level.ghosts.get(name)
-        where = places(formulas, world.values, t) if formulas else None
+        where = ghost_positions(formulas, world.values, t) if formulas else None
         if where is None:
             continue
         velocity = np.diff(where, axis=0) / t[1]
@@ -78,7 +78,7 @@ def scale(owner: object, world: World, observed: Snapshot, place: str | None = N
     last = _scales.get(owner)
     values, disturbed = dict(world.values), world.disturbed
     if last is None or last[:4] != (world.level, values, disturbed, place):
-        estimate = expected(world) if place is None else 0.0
+        estimate = expected_largest(world) if place is None else 0.0
         largest = max(estimate, _peak(momenta(world, observed, place)))
         last = _Kept(world.level, values, disturbed, place, rounded_up(largest))
     peak = _peak(momenta(world, world.snapshot, place))

@@ -78,7 +78,7 @@ def draw_ghost_path(
 ) -> None:  # fmt: skip
     """Draw the closed form's path over the level's duration."""
     t = np.linspace(0.0, duration, PATH_POINTS)
-    where = places(formulas, values, t)
+    where = ghost_positions(formulas, values, t)
     if where is not None:
         draw_ghost_trail(surface, camera, where)
 
@@ -89,13 +89,13 @@ def draw_ghost_trail(surface: pygame.Surface, camera: Camera, points: Array) -> 
     lines.dashed(surface, color, camera.path(points.tolist()), 3, 6)
 
 
-def place(formulas: tuple[Formula, Formula], values: Values, t: float) -> XY | None:
+def ghost_position(formulas: tuple[Formula, Formula], values: Values, t: float) -> XY | None:
     """Return the closed form's position of a body [m]; None if it is not defined."""
-    where = places(formulas, values, np.array([t]))
+    where = ghost_positions(formulas, values, np.array([t]))
     return None if where is None else (float(where[0, 0]), float(where[0, 1]))
 
 
-def places(formulas: tuple[Formula, Formula], values: Values, t: Array) -> Array | None:
+def ghost_positions(formulas: tuple[Formula, Formula], values: Values, t: Array) -> Array | None:
     """Return the closed form's positions at many times, (k, 2) [m]; None if not all defined."""
     try:
         found = np.stack([formula.over(values, t) for formula in formulas], axis=-1)
@@ -133,13 +133,13 @@ def draw_components(
     surface.blit(upright, upright.get_rect(center=(x, y + up + copysign(12, up))))
 
 
-def fastest(world: World, duration: float) -> float:
+def expected_highest_speed(world: World, duration: float) -> float:
     """Return the highest speed at the start or of a ghost [m/s]."""
     velocity = world.snapshot.velocity
     speeds = [float(np.hypot(velocity[:, 0], velocity[:, 1]).max())]
     t = np.linspace(0.0, duration, PATH_POINTS)
     for formulas in world.level.ghosts.values():
-        where = places(formulas, world.values, t)
+        where = ghost_positions(formulas, world.values, t)
         if where is not None:
             steps = np.diff(where, axis=0)
             sizes = np.sort(np.hypot(steps[:, 0], steps[:, 1]))
@@ -169,7 +169,7 @@ def draw_milestones(
         corners = [(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)]
         lines.fill(surface, theme.STAGE, corners)
         lines.path(surface, color, [*corners, corners[0]], 2)
-        labels.take(_box(corners))
+        labels.occupy(_box(corners))
 
 
 def write_milestones(
@@ -185,7 +185,7 @@ def write_milestones(
         size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
         around = chain(_around(round(x), round(y), size), _off_bodies(x, y, size, avoid))
         spots, name = (spot.clamp(labels.bounds) for spot in around), f"at {milestone.place}"
-        if place := labels.find(spots, avoid, name=name):
+        if place := labels.place_for(spots, avoid, name=name):
             top = place.y
             for text in texts:
                 surface.blit(text, text.get_rect(midtop=(place.centerx, top)))
@@ -233,7 +233,7 @@ def _off_bodies(
             yield place.move_to(midright=(body.left - GAP, round(y) + further))
 
 
-def boxes(camera: Camera, shown: Iterable[Placed]) -> list[pygame.Rect]:
+def bounding_boxes(camera: Camera, shown: Iterable[Placed]) -> list[pygame.Rect]:
     """Return the bounding boxes of the bodies near the picture [px]."""
     return [_box(path) for path in _paths(camera, shown)]
 
@@ -275,7 +275,7 @@ def draw_names(
                 place.move_to(midtop=(box.centerx, box.bottom + 1)),
             )
             others, name = boxes[:i] + boxes[i + 1 :], f"name {outline.name}"
-            if found := labels.find(places, others, name=name, strict=True):
+            if found := labels.place_for(places, others, name=name, strict=True):
                 surface.blit(text, found)
 
 

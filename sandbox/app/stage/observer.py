@@ -22,7 +22,7 @@ class Observer:
         self.place = place if exists else None
         self._row = list(world.scene.bodies).index(place) if place and exists else None
 
-    def of(self, vectors: Array) -> Array:
+    def own(self, vectors: Array) -> Array:
         """Return the observer's own vectors, (..., 2), from those of all bodies, (..., n, 2)."""
         if self.place is None:
             return np.zeros((*vectors.shape[:-2], 2))
@@ -34,28 +34,28 @@ class Observer:
         mean: Array = mass @ vectors / mass.sum()
         return mean
 
-    def seen(self, vectors: Array) -> Array:
+    def relative(self, vectors: Array) -> Array:
         """Return velocities or accelerations relative to the observer, (..., n, 2)."""
-        return vectors if self.place is None else vectors - self.of(vectors)[..., None, :]
+        return vectors if self.place is None else vectors - self.own(vectors)[..., None, :]
 
     def path(self, positions: Array) -> Array:
         """Return where the observer sees earlier positions now, (k, n, 2) [m].
 
         Each is as far from the observer's present position as it was from the earlier one.
         """
-        return self.seen(positions) + self.here
+        return self.relative(positions) + self.position
 
     @property
-    def here(self) -> Array:
+    def position(self) -> Array:
         """The observer's present position: (2,) [m]; the origin on the ground."""
-        return self.of(self._world.snapshot.position)
+        return self.own(self._world.snapshot.position)
 
     @property
-    def moved(self) -> XY:
+    def displacement(self) -> XY:
         """How far the observer is from its place in the level [m]."""
         if self.place is None:
             return 0.0, 0.0
         level, values = self._world.level, self._world.values
         starts = np.array([evaluate(body.position, values) for body in level.bodies.values()])
-        x, y = (self.here - self.of(starts)).tolist()
+        x, y = (self.position - self.own(starts)).tolist()
         return (x, y) if np.isfinite((x, y)).all() else (0.0, 0.0)

@@ -33,7 +33,7 @@ def draw(surface: pygame.Surface, view: View, rows: Sequence[Row], name: str) ->
     size = width, len(rows) * high + MARGIN
     corner = view.labels.bounds.move(MARGIN, -MARGIN).bottomleft
     lowest = pygame.Rect((0, 0), size).move_to(bottomleft=corner)
-    box = view.labels.find([lowest.move(0, -i * high) for i in range(HIGHER)], name=name)
+    box = view.labels.place_for([lowest.move(0, -i * high) for i in range(HIGHER)], name=name)
     if box is None:
         return
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)

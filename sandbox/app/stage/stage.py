@@ -118,12 +118,12 @@ class Stage:
         Companions `beside` it are drawn over it; without any, the trails of `earlier` runs are.
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
-        self.camera.offset, grounded = view.observer.moved, view.observer.place is None
+        self.camera.offset, grounded = view.observer.displacement, view.observer.place is None
         area = surface.get_rect() if self.plain else grid.inside(self.camera, self._pen)
         view.trail = trail
         view.labels = Labels(area.inflate(-2 * self._pen.px(EDGE), 0), view.kept)
         wide, high = self._pen.px(130), self._pen.px(90)
-        view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
+        view.labels.occupy(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
         self._draw_base()
         if view.few:
             _mark_lines(view, self._wires)
@@ -141,7 +141,7 @@ class Stage:
         self._draw_bodies(surface)
         liquid.draw_veil(surface, self.camera, world)
         self._draw_joints(surface, in_front=True)
-        self._draw_beside(surface, beside)
+        self._draw_companions(surface, beside)
         level_labels.draw_observer(surface, view)
         level_labels.draw_texts(surface, view)
         marked = milestones if view.few and grounded else ()
@@ -157,7 +157,7 @@ class Stage:
         view, words = self.view, level_translation.of(self.view.world.level)
         filled = (*view.moving, *(o for o in view.still if o.radius is not None))
         placed = [(each, *view.state(each)) for each in filled]
-        avoid = motion_annotations.boxes(self.camera, placed)
+        avoid = motion_annotations.bounding_boxes(self.camera, placed)
         motion_annotations.mark_large(self.camera, placed, view.labels)
         motion_annotations.write_milestones(
             surface, self.camera, self._pen, milestones, words, view.labels, avoid
@@ -168,7 +168,7 @@ class Stage:
         """The overlays to draw."""
         return [each for each in OVERLAYS if self.shown[each.name] or each.name == self.asked]
 
-    def _draw_beside(self, surface: pygame.Surface, beside: Sequence[Companion]) -> None:
+    def _draw_companions(self, surface: pygame.Surface, beside: Sequence[Companion]) -> None:
         """Draw the bodies of companion runs as dashed outlines."""
         for companion in beside:
             snapshot, lane = companion.world.snapshot, companion.variant.lane
@@ -183,7 +183,7 @@ class Stage:
         reach = margin / self.camera.scale
         for outline in reversed(self.view.moving):
             (px, py), angle = self.view.state(outline)
-            if outline.heavy and outline.covers((x - px, y - py), angle, reach):
+            if outline.is_dynamic and outline.covers((x - px, y - py), angle, reach):
                 return outline.name
         return None
 
@@ -202,7 +202,7 @@ class Stage:
         camera = self.camera
         below = [each.draw_below for each in self._overlays if each.draw_below is not None]
         touched = self.view.world.disturbed
-        wired = tuple(wires.held(self.view.world))
+        wired = tuple(wires.holding_wires(self.view.world))
         key = (camera.center, camera.scale, camera.size, touched, wired, *below)
         key = (*key, self.view.observer.place)
         if key == self._base_key:
@@ -325,9 +325,9 @@ class Stage:
             else:
                 bodies.draw_body(surface, self.camera, outline, position, angle, turns)
 
-    def watch(self) -> None:
+    def note_speeds(self) -> None:
         """Record the current speeds, for a common scale of arrows over a run."""
-        self.view.watch()
+        self.view.note_speeds()
 
 
 def _mark_lines(view: View, drawn: Sequence[Sequence[XY]]) -> None:

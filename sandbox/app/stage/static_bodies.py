@@ -8,7 +8,7 @@ import pygame
 
 from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
-from sandbox.app.stage.bodies import draw_area, draw_heads
+from sandbox.app.stage.bodies import draw_area, draw_one_way_arrowheads
 from sandbox.app.stage.body_outlines import Outline
 from sandbox.model.shapes import XY
 
@@ -39,9 +39,9 @@ def draw_surface(
         lines.path(surface, edge, [*corners, corners[0]], 2)
         return
     width = max(outline.thickness * camera.scale, 3)
-    if outline.lets:
+    if outline.one_way:
         lines.path(surface, edge, corners, width)
-        draw_heads(surface, outline, corners, width)
+        draw_one_way_arrowheads(surface, outline, corners, width)
         return
     away = camera.to_screen(inside)
     nearest = min(pairwise(corners), key=lambda piece: dist(piece[0], away))

@@ -49,7 +49,7 @@ def draw_string(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> 
         path += bend.arc if bend else [peg]
     path.append(corners[-1])
     draw_line(surface, path, slack)
-    eyes(surface, corners)
+    mark_ends(surface, corners)
 
 
 def draw_line(surface: pygame.Surface, path: Sequence[XY], slack: bool) -> None:
@@ -62,7 +62,7 @@ def draw_line(surface: pygame.Surface, path: Sequence[XY], slack: bool) -> None:
         lines.dashed(surface, shading.darker(theme.STRING, TWIST), path, 4, 8)
 
 
-def eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
+def mark_ends(surface: pygame.Surface, corners: Sequence[XY]) -> None:
     """Mark the ends of a string."""
     for x, y in (corners[0], corners[-1]):
         pygame.draw.aacircle(surface, theme.STAGE, (x, y), 4)

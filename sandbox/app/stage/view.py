@@ -75,7 +75,7 @@ class View:
             [evaluate(world.level.bodies[o.name].position, world.values) for o in self.moving]
         )
         """The positions of moving bodies in the level: (k, 2) [m]."""
-        self._fastest = motion_annotations.fastest(world, self.duration)
+        self._fastest = motion_annotations.expected_highest_speed(world, self.duration)
 
     def state(self, outline: Outline) -> tuple[XY, float]:
         """Return the position [m] and the angle [rad] of a body."""
@@ -85,7 +85,7 @@ class View:
 
     def velocity(self, outline: Outline) -> XY:
         """Return the velocity of a body as the observer sees it [m/s]."""
-        vx, vy = self.observer.seen(self.world.snapshot.velocity)[outline.row].tolist()
+        vx, vy = self.observer.relative(self.world.snapshot.velocity)[outline.row].tolist()
         return vx, vy
 
     @property
@@ -105,10 +105,10 @@ class View:
         If the run becomes faster than expected, this speed is raised to a round number, so that the
         scale changes rarely.
         """
-        self.watch()
+        self.note_speeds()
         return self._fastest
 
-    def full(self, kind: str, now: float) -> float:
+    def full_length_value(self, kind: str, now: float) -> float:
         """Return the value of a full-length arrow of some kind, given the largest at present.
 
         It is a round number, which grows if necessary, so that the scale changes rarely.
@@ -121,9 +121,9 @@ class View:
         """Raise `fastest` to at least a speed [m/s], such as that of an earlier view of the run."""
         self._fastest = max(self._fastest, speed)
 
-    def watch(self) -> None:
+    def note_speeds(self) -> None:
         """Adapt the scale of arrows to the current speeds."""
-        velocity = self.observer.seen(self.world.snapshot.velocity)
+        velocity = self.observer.relative(self.world.snapshot.velocity)
         speed = float(np.hypot(velocity[:, 0], velocity[:, 1]).max(initial=0.0))
         if speed > LONGER * self._fastest:
             self._fastest = rounded_up(speed)

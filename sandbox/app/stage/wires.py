@@ -17,7 +17,7 @@ POINTS = 1000
 STRAIGHT, APART = 4.0, 12.0  # px, the least distances of drawn points, and of those labels avoid
 
 
-def held(world: World) -> Sequence[str]:
+def holding_wires(world: World) -> Sequence[str]:
     """Return the wires that hold their beads at present."""
     named, t = world.level.joints.items(), float(world.snapshot.t)
     wires = (name for name, joint in named if isinstance(joint, Wire))
@@ -27,7 +27,7 @@ def held(world: World) -> Sequence[str]:
 def draw_wires(surface: pygame.Surface, camera: Camera, world: World) -> list[Sequence[XY]]:
     """Draw the wires, and return points along each that are enough to keep labels off it [px]."""
     sparse = []
-    for name in held(world):
+    for name in holding_wires(world):
         wire = world.level.joints[name]
         assert isinstance(wire, Wire)
         points = along(wire, world.values, POINTS)

@@ -9,7 +9,7 @@ from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContaine
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.widgets.slider_steps import rounded, step
+from sandbox.app.widgets.slider_steps import rounded, step_size
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import formatting
 from sandbox.app.words.level_translation import Say
@@ -46,7 +46,7 @@ class Change:
     name: str
     value: float | None
     refusal: Message = NOTHING
-    shifted: bool = False
+    with_shift: bool = False
     """whether Shift was held while dragging; see `otherwise` of `Session.change`"""
 
 
@@ -117,18 +117,18 @@ class Parameters:
             self.accept()
         for name, row in self._rows.items():
             if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is row.slider:
-                return self._slid(name, row)
+                return self._slider_change(name, row)
             if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is row.field:
-                return self._typed(name, row)
+                return self._typed_change(name, row)
             if event.type == pygame.KEYDOWN and row.field.is_focused:
-                return self._nudged(name, row, event)
+                return self._key_change(name, row, event)
         return None
 
-    def left(self) -> Change | None:
+    def left_field_change(self) -> Change | None:
         """Return the change typed into a field that has lost the focus, or None."""
         for name, row in self._rows.items():
             if not row.field.is_focused and row.field.get_text() != row.shown:
-                return self._typed(name, row)
+                return self._typed_change(name, row)
         return None
 
     def revert(self) -> None:
@@ -166,13 +166,13 @@ class Parameters:
         """Return the widgets of a parameter."""
         return self._rows[name]
 
-    def _slid(self, name: str, row: Row) -> Change:
+    def _slider_change(self, name: str, row: Row) -> Change:
         """Return the change to the slider's value, rounded to a step."""
         value = rounded(row.parameter, row.slider.get_current_value())
         shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
-        return Change(name, value, shifted=shifted)
+        return Change(name, value, with_shift=shifted)
 
-    def _typed(self, name: str, row: Row) -> Change:
+    def _typed_change(self, name: str, row: Row) -> Change:
         """Return the change to a typed number, which may have a unit and name other parameters."""
         text = row.field.get_text().strip()
         if "(" not in text:  # where a comma separates arguments
@@ -183,16 +183,16 @@ class Parameters:
             return Change(name, None, error.message)
         return Change(name, value)
 
-    def _nudged(self, name: str, row: Row, event: pygame.event.Event) -> Change | None:
+    def _key_change(self, name: str, row: Row, event: pygame.event.Event) -> Change | None:
         """Return the change by one step, or by ten steps with Shift; None for other keys."""
         directions = {pygame.K_UP: 1, pygame.K_DOWN: -1}
         if event.key not in directions:
             return None
-        base = self._typed(name, row).value
+        base = self._typed_change(name, row).value
         if base is None:
             return None
         many = 10 if event.mod & pygame.KMOD_SHIFT else 1
-        value = base + directions[event.key] * many * step(row.parameter)
+        value = base + directions[event.key] * many * step_size(row.parameter)
         value = float(f"{min(max(value, row.parameter.min), row.parameter.max):.9g}")
         return Change(name, value)
 

@@ -32,7 +32,7 @@ MARGIN = 3  # px, around the field, for points on its edge
 class Series(NamedTuple):
     """A line: its colour, its points, whether it is dashed, and whether its points are marked.
 
-    `sign` is the index of a marker that distinguishes the line from others, or None.
+    `marker` is the index of a marker that distinguishes the line from others, or None.
     """
 
     color: Color
@@ -40,7 +40,7 @@ class Series(NamedTuple):
     y: Array
     dashed: bool = False
     marked: bool = False
-    sign: int | None = None
+    marker: int | None = None
 
 
 class Scale(NamedTuple):
@@ -61,7 +61,7 @@ class Scale(NamedTuple):
         share = (pixel - self.start) / (self.end - self.start)
         return self.low + share * (self.high - self.low)
 
-    def read_in(self, unit: str) -> "Scale":
+    def in_shown_unit(self, unit: str) -> "Scale":
         """Return the scale with the numbers to show for a unit: radians in degrees."""
         if not unit.startswith("rad"):
             return self
@@ -97,16 +97,16 @@ def draw(
     """
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
-    up = up or upwards(pen, size[1], [each.y for each in series])
+    up = up or vertical_scale(pen, size[1], [each.y for each in series])
     if series:  # otherwise the scale of y means nothing
-        _draw_heights(surface, pen, span, up.read_in(units[1]))
-    _draw_widths(surface, pen, span.read_in(units[0]), up)
+        _draw_heights(surface, pen, span, up.in_shown_unit(units[1]))
+    _draw_widths(surface, pen, span.in_shown_unit(units[0]), up)
     field = pygame.Rect(round(span.start), round(up.end), 0, 0)
     field.size = round(span.end - span.start), round(up.start - up.end)
     surface.set_clip(field.inflate(2 * MARGIN, 2 * MARGIN))
     for each in series:
         _draw_line(surface, each, span, up)
-    _tell_offset(surface, pen, field, series, span, up)
+    _write_offset(surface, pen, field, series, span, up)
     if cursor is not None:
         x = round(float(span.pixels(np.array(cursor))))
         pygame.draw.line(surface, theme.NOTICE, (x, up.end), (x, up.start))
@@ -114,12 +114,12 @@ def draw(
     return surface
 
 
-def across(pen: Pen, width: int, values: Sequence[Array]) -> Scale:
+def horizontal_scale(pen: Pen, width: int, values: Sequence[Array]) -> Scale:
     """Return the scale of x for a graph of some width [px]."""
     return scale(values, pen.px(LEFT), width - pen.px(RIGHT), 0.0)
 
 
-def upwards(pen: Pen, height: int, values: Sequence[Array]) -> Scale:
+def vertical_scale(pen: Pen, height: int, values: Sequence[Array]) -> Scale:
     """Return the scale of y for a graph of some height [px], with a little room at both ends."""
     return scale(values, height - pen.px(BELOW), pen.px(ABOVE), 0.06)
 
@@ -151,8 +151,8 @@ def _draw_part(surface: pygame.Surface, series: Series, points: Sequence[XY]) ->
     if series.marked:
         for point in points:
             pygame.draw.aacircle(surface, series.color, point, DOT)
-    if series.sign is not None and points and lines.are_close(points):
-        _sign(surface, series.sign, series.color, points)
+    if series.marker is not None and points and lines.are_close(points):
+        _sign(surface, series.marker, series.color, points)
     if len(points) < 2:
         return
     if series.dashed:
@@ -192,7 +192,7 @@ def _draw_widths(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> N
         surface.blit(text, place)
 
 
-def _tell_offset(
+def _write_offset(
     surface: pygame.Surface, pen: Pen, field: pygame.Rect, series: Sequence[Series], span: Scale,
     up: Scale,
 ) -> None:  # fmt: skip

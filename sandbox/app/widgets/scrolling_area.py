@@ -19,7 +19,7 @@ BAR = 26  # px, reserved for the scroll bar
 PADDING = 26  # px, beside a caption, total of left and right
 
 
-class Typed(Protocol):
+class FieldsPanel(Protocol):
     """Fields that can be typed into."""
 
     def revert(self) -> None:
@@ -47,7 +47,7 @@ class Sheet:
         """The fields and sliders of parameters; empty unless a page adds some."""
         self.checks: UIImage | None = None
         """The picture of the checks; None unless a page adds it."""
-        self.typed: Typed | None = None
+        self.typed: FieldsPanel | None = None
         """Other fields that can be typed into, instead of parameters; None unless a page adds
         some."""
 
@@ -83,7 +83,7 @@ class Sheet:
             default_selection=chosen if isinstance(chosen, str | None) else [*chosen],
         )  # fmt: skip
 
-    def ask(
+    def add_parameters(
         self, y: int, parameters: Mapping[str, Parameter], values: Values, words: Say
     ) -> Parameters:
         """Add fields and sliders of parameters at a height [px]."""
@@ -92,7 +92,7 @@ class Sheet:
         self.parameters = found
         return found
 
-    def room(self, *captions: str) -> int:
+    def widest_button(self, *captions: str) -> int:
         """Return the width that a button needs for the widest of some captions [px]."""
         return max(self.pen.write(each, 14).width for each in captions) + self.px(PADDING)
 
@@ -103,7 +103,7 @@ class Sheet:
             image.set_dimensions(surface.size)
         image.set_image(surface)
 
-    def pin(self, height: int) -> None:
+    def set_strip_height(self, height: int) -> None:
         """Set the height of the strip above [px]."""
         if self.strip.rect.height == height:
             return
@@ -112,7 +112,7 @@ class Sheet:
         self.container.set_relative_position((rect.x, rect.y + height))
         self.container.set_dimensions((rect.width, max(rect.height - height, 1)))
 
-    def end(self, height: int) -> None:
+    def set_content_height(self, height: int) -> None:
         """Set the height of the contents [px]."""
         if self.container.scrollable_container.rect.height != height:
             self.container.set_scrollable_area_dimensions((self.width + self.margin, height))

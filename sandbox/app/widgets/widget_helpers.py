@@ -26,7 +26,7 @@ class Row(UIButton):
             super().update(time_delta)
 
 
-def press(button: UIButton, on: bool) -> None:
+def show_pressed(button: UIButton, on: bool) -> None:
     """Draw a button as switched on or off."""
     if on and not button.is_selected:
         button.select()  # type: ignore[no-untyped-call]
@@ -34,7 +34,7 @@ def press(button: UIButton, on: bool) -> None:
         button.unselect()  # type: ignore[no-untyped-call]
 
 
-def allow(button: UIButton, possible: bool) -> None:
+def set_enabled(button: UIButton, possible: bool) -> None:
     """Enable or disable a button."""
     if possible and not button.is_enabled:
         button.enable()  # type: ignore[no-untyped-call]
@@ -57,7 +57,7 @@ def stretched(widths: Sequence[int], room: int) -> list[int]:
     return [own + b - a for own, (a, b) in zip(widths, pairwise(ends), strict=True)]
 
 
-def scroll(container: UIScrollingContainer, top: float) -> None:
+def scroll_to(container: UIScrollingContainer, top: float) -> None:
     """Scroll a container to a height of its contents [px], as far as possible."""
     bar = container.vert_scroll_bar
     seen, height = container.rect.height, container.scrollable_container.rect.height
@@ -65,6 +65,6 @@ def scroll(container: UIScrollingContainer, top: float) -> None:
         bar.set_scroll_from_start_percentage(max(min(top, height - seen), 0.0) / height)
 
 
-def scrolled(container: UIScrollingContainer) -> float:
+def scroll_position(container: UIScrollingContainer) -> float:
     """Return the height of the contents at the upper edge of a container [px]."""
     return float(container.rect.y - container.scrollable_container.rect.y)

@@ -58,12 +58,12 @@ def number(value: float, digits: int = 5, *, all_count: bool = False) -> str:
             text = f"{float(text):.0f}"
     else:
         text = f"{value:.{max(digits - 3, 0)}e}"
-    return _in_print(text)
+    return _typeset(text)
 
 
 def brief(value: float) -> str:
     """Format a number without needless zeros, as at a tick of an axis."""
-    return _in_print(f"{value:.5g}")
+    return _typeset(f"{value:.5g}")
 
 
 def without_rounding(value: float, scale: float) -> float:
@@ -75,7 +75,7 @@ def error(value: float) -> str:
     """Format an error with one significant digit, since only its magnitude matters."""
     if value == 0 or not isfinite(value):
         return number(value)
-    return _in_print(f"{value:.1g}" if 1e-3 <= abs(value) < 10 else f"{value:.0e}")
+    return _typeset(f"{value:.1g}" if 1e-3 <= abs(value) < 10 else f"{value:.0e}")
 
 
 def share(value: float) -> str:
@@ -174,7 +174,7 @@ def scheme(name: str) -> str:
     return say(SCHEMES.get(name, name))
 
 
-def moment(check: Check) -> str:
+def moment_in_words(check: Check) -> str:
     """Describe the moment at which a check can first be made."""
     match check.at:
         case None:
@@ -199,7 +199,7 @@ def _times(nth: int) -> str:
     return say(" {nth} times", nth=nth) if nth > 1 else ""
 
 
-def occasion(check: Check) -> str:
+def event_in_words(check: Check) -> str:
     """Describe in a word or two the event that a check waits for."""
     match check.at:
         case ApexEvent():
@@ -257,16 +257,16 @@ def summary(found: Sequence[Difference], words: Say) -> Iterator[str]:
             yield f"{label} {difference(one)}"
 
 
-def offer(setting: "Setting") -> str:
+def offered_setting(setting: "Setting") -> str:
     """Describe the setting that reaches an accuracy, or the best one possible in real time."""
     if setting.in_real_time is None:
-        return f"{error(setting.target)}: {_offer(setting.for_playing)}"
+        return f"{error(setting.target)}: {_setting_in_words(setting.for_playing)}"
     return say(
         "{error} is not possible in real time: 1 s takes {cost:.2g} s of computing."
         " Instead: {offer}",
         error=error(setting.target),
         cost=setting.for_drawing.cost,
-        offer=_offer(setting.in_real_time),
+        offer=_setting_in_words(setting.in_real_time),
     )
 
 
@@ -278,7 +278,7 @@ def stepping(chosen: Stepping) -> str:
     return say("{scheme} at {rate:g} Hz", scheme=name, rate=rate)
 
 
-def _offer(found: "Offer") -> str:
+def _setting_in_words(found: "Offer") -> str:
     return say(
         "{setting}, error {error}, {cost:.3g} ms of computing for 1 s",
         setting=stepping(found.stepping),
@@ -308,7 +308,7 @@ def next_digit(found: "Trust") -> str:
     return say("the next digit takes {times:.2g} times the computing", times=found.next_digit)
 
 
-def certain(value: float, off: float, unit: str) -> str:
+def trusted_value(value: float, off: float, unit: str) -> str:
     """Format a value that has an error, with only the digits that can be trusted."""
     from sandbox.physics.accuracy.trusted_digits import certain_digits
 
@@ -317,7 +317,7 @@ def certain(value: float, off: float, unit: str) -> str:
     return quantity(value if digits else 0.0, unit, digits or 1, all_count=True)
 
 
-def _in_print(text: str) -> str:
+def _typeset(text: str) -> str:
     """Write a number as it is printed: −2×10³, not -2e+03, and 10⁻⁵, not 1e-05."""
     mantissa, _, exponent = text.partition("e")
     if exponent:

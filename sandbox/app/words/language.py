@@ -47,7 +47,7 @@ def used() -> Name:
     return _used
 
 
-def of_system(environment: Mapping[str, str] = os.environ) -> Name:
+def system_language(environment: Mapping[str, str] = os.environ) -> Name:
     """Return the first of the system's languages that is available, else English."""
     setting = next(filter(None, (environment.get(name) for name in _VARIABLES)), "")
     languages = (part.replace("-", "_").partition("_")[0].lower() for part in setting.split(":"))
@@ -66,7 +66,7 @@ def say(message: str, **values: object) -> str:
     translated = catalogue(_used).gettext(template) if template else ""
     if not values:
         return translated
-    values = {name: _said(value) for name, value in values.items()}
+    values = {name: _formatted(value) for name, value in values.items()}
     if _used != ENGLISH and ":," in translated:
         return _GROUPED.vformat(translated, (), values)
     return translated.format(**values)
@@ -83,7 +83,7 @@ class _Grouped(Formatter):
 _GROUPED = _Grouped()
 
 
-def _said(value: object) -> object:
+def _formatted(value: object) -> object:
     if isinstance(value, SandboxError):
         value = value.message
     return say(value) if isinstance(value, Message) else value

@@ -10,8 +10,8 @@ from pathlib import Path
 
 from sandbox.app.words import language
 from sandbox.model import level_catalog
-from sandbox.model.annotated_fields import prose
 from sandbox.model.level import Check, Level
+from sandbox.model.marked_fields import prose
 
 Say = Callable[[str], str]
 """Translates a text of a level."""
@@ -32,7 +32,7 @@ def title_of_level(level: Level) -> str:
 
 def shown(words: Iterable[str], source: str) -> Say:
     """Return the function that translates texts of a level's file into the current language."""
-    if not _comes_along(source):
+    if not _is_shipped(source):
         return str
     catalogue = language.catalogue(language.used(), "levels")
     try:
@@ -43,7 +43,7 @@ def shown(words: Iterable[str], source: str) -> Say:
 
 
 @lru_cache(maxsize=512)
-def _comes_along(source: str) -> bool:
+def _is_shipped(source: str) -> bool:
     """Whether a file is one of the project's levels."""
     return Path(source).is_relative_to(level_catalog.root())
 

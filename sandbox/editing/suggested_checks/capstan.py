@@ -44,7 +44,7 @@ DIGITS = 9
 """Decimals of an angle of wrap [rad]."""
 
 
-Told = tuple[str, str, str, str | None]
+CheckFields = tuple[str, str, str, str | None]
 """The label, the quantity, the formula and the scale of a check."""
 
 
@@ -106,7 +106,7 @@ def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     yield Suggestion("capstan", (*rope.ends, rope.drum), checks)
 
 
-def _slipping(rope: Rope, m1: str, m2: str, holding_mass: str, g: str) -> list[Told]:
+def _slipping(rope: Rope, m1: str, m2: str, holding_mass: str, g: str) -> list[CheckFields]:
     """Return the checks of a rope that slips."""
     (light, heavy), (weak, strong) = rope.ends, rope.rods
     a, pull = (
@@ -120,7 +120,7 @@ def _slipping(rope: Rope, m1: str, m2: str, holding_mass: str, g: str) -> list[T
     ]
 
 
-def _holding(rope: Rope, m1: str, m2: str, g: str) -> list[Told]:
+def _holding(rope: Rope, m1: str, m2: str, g: str) -> list[CheckFields]:
     """Return the checks of a rope that friction holds."""
     return [
         (f"pull on {end}, holding", f"{rod}.tension", f"{mass}*{g}", None)

@@ -32,7 +32,7 @@ from sandbox.physics.energy.kicks_within_drifts import before_landings, kicks_wi
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.events.impact_response import Collided
+from sandbox.physics.events.impact_response import DriftImpacts
 from sandbox.physics.events.slip_work import SlipEntries
 from sandbox.physics.events.switching_events import EventEntries
 from sandbox.physics.forces.spring import damps
@@ -251,7 +251,7 @@ class Ledger:
         self._end = Instant.at(self._step.t - half, middle, divided.pre_kick_velocity)
         return divided.pre_kick_velocity
 
-    def _book_impacts(self, collided: Collided) -> Array:
+    def _book_impacts(self, collided: DriftImpacts) -> Array:
         """Book the impacts within the last drift; return the velocities at its end."""
         impacts = collided.impacts
         self._set_mid_drift(collided.pre_kick_velocity, collided.reading_shift)

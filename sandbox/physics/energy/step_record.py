@@ -14,7 +14,7 @@ from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
-    from sandbox.physics.events.impact_response import Collided
+    from sandbox.physics.events.impact_response import DriftImpacts
     from sandbox.physics.events.slip_work import SlipEntries
     from sandbox.physics.events.switching_events import EventEntries
 
@@ -48,7 +48,7 @@ class StepRecord(NamedTuple):
     None if it holds none."""
     impact_count: int = 0
     """The number of contacts, first in the list, that were impacts in its drift."""
-    impacts: "Collided | None" = None
+    impacts: "DriftImpacts | None" = None
     """The located impacts in its drift; None if there were none."""
     slip_ends: "SlipEntries | None" = None
     """The ends of slipping in its drift; None if there were none."""

@@ -53,7 +53,7 @@ class Impact(NamedTuple):
     m²/s]."""
 
 
-class Collided(NamedTuple):
+class DriftImpacts(NamedTuple):
     """The outcome of the impacts within a drift, for books kept at its middle; n bodies."""
 
     impacts: Sequence[Impact]
@@ -111,7 +111,7 @@ class _Points(NamedTuple):
         )
 
 
-class Collision:
+class ImpactResponse:
     """Computes how the n bodies of a scene bounce off each other, in steps of dt [s]."""
 
     def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:

@@ -27,7 +27,12 @@ from sandbox.physics.contacts.impacts.pile_impacts import PRESSED
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.events.impact_order import ImpactOrder, Tally
-from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
+from sandbox.physics.events.impact_response import (
+    Coefficients,
+    DriftImpacts,
+    Impact,
+    ImpactResponse,
+)
 from sandbox.physics.geometry.outline_distance import Outline, outlines
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.cancellation_points import cancellation_point
@@ -68,7 +73,7 @@ class ImpactLocator:
         dt: float,
     ) -> None:
         self._batch, self._outlines, self._dt = scene.batch, outlines, dt
-        self._collision, self._held = Collision(coefficients, scene, dt), held
+        self._collision, self._held = ImpactResponse(coefficients, scene, dt), held
         self._mass, self._inertia, self._inverse_mass = (
             scene.mass,
             scene.inertia,
@@ -96,11 +101,11 @@ class ImpactLocator:
         self._reading_shift, self._extra_momentum = 0.0, np.zeros(3)
 
     @property
-    def last(self) -> Collided | None:
+    def last(self) -> DriftImpacts | None:
         """The entries for the books from the impacts in the last drift; None if there were none."""
         if not self.impacts:
             return None
-        return Collided(
+        return DriftImpacts(
             self.impacts, self.pre_kick_velocity, self._reading_shift, self._extra_momentum
         )
 

@@ -34,7 +34,7 @@ class SlipDetector:
     """Detects the contacts whose slip ends; n bodies, k contacts.
 
     `named`, (n,), are the bodies whose slipping is located, and `coefficients`, (n, n), those of
-    kinetic friction of each pair. `onwards` distinguishes slip from rounding; `dt` is the time
+    kinetic friction of each pair. `continuation` distinguishes slip from rounding; `dt` is the time
     step [s].
     """
 

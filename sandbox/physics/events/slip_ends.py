@@ -55,7 +55,7 @@ class Cut(NamedTuple):
 class SlipEndLocator:
     """Cuts the drift of a step where the slipping of named bodies ends; n bodies.
 
-    `lookout` detects the end of slipping, and `onwards` finds how bodies continue. `linked`,
+    `lookout` detects the end of slipping, and `continuation` finds how bodies continue. `linked`,
     (l, 2), are pairs of bodies that strings and pymunk's own joints connect; `tied`, (n,), are
     bodies held by other exact joints: together with contacts, these converge too slowly for a kick
     to tell how the bodies continue. `smooth` returns the accelerations by gravity and force laws in

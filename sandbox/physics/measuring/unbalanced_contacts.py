@@ -21,7 +21,7 @@ EVERY = 8
 """The steps from one look to the next."""
 
 NOTICED = 1e-2
-"""The share from which on a run is told to be unbalanced. One body on a floor has less."""
+"""From this share on a run counts as unbalanced. One body on a floor has less."""
 
 
 class Unbalanced:

@@ -35,7 +35,7 @@ MAX_SWEEPS = 5000
 """The largest product of the sweeps of a kick and the pairs in contact: it bounds the time."""
 
 
-class Settling:
+class KickRepetition:
     """Repeats kicks of the n bodies of a scene, which are held in place.
 
     `positions` tells whether contacts are solved for the positions after the drift, not for

@@ -16,7 +16,7 @@ from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick_context import Kick
 
 if TYPE_CHECKING:
-    from sandbox.physics.stepping.kick_convergence import Settling
+    from sandbox.physics.stepping.kick_convergence import KickRepetition
 
 
 class HeldKicks:
@@ -92,10 +92,10 @@ class HeldKicks:
         return self.settling.repeat(once, kick, acceleration) if self.settling else once()
 
 
-def _settling(scene: Scene, *, positions: bool) -> "Settling":
-    from sandbox.physics.stepping.kick_convergence import Settling
+def _settling(scene: Scene, *, positions: bool) -> "KickRepetition":
+    from sandbox.physics.stepping.kick_convergence import KickRepetition
 
-    return Settling(scene, positions=positions)
+    return KickRepetition(scene, positions=positions)
 
 
 def _stay(_body: pymunk.Body, _dt: float) -> None:

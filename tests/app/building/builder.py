@@ -8,7 +8,7 @@ from pygame_gui.core import UIElement
 
 from sandbox.app.building.editor import Editor
 from sandbox.app.pages.build.panel import BuildPage
-from sandbox.app.widgets.widget_helpers import scroll, scrolled
+from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
 from sandbox.model.shapes import XY
 from tests.app.person import Person
 
@@ -70,7 +70,9 @@ class Builder:
         """Scroll with the wheel until a widget can be clicked."""
         container, place = self.page._sheet.container, widget.rect
         if not container.rect.contains(place):
-            scroll(container, scrolled(container) + place.centery - container.rect.centery)
+            scroll_to(
+                container, scroll_position(container) + place.centery - container.rect.centery
+            )
             self.person.wait(0.1)
 
     def fill(self, typed: str, *path: str | int) -> None:

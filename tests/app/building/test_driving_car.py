@@ -33,7 +33,7 @@ def test_a_car_with_pins_and_a_motor_drives_once_there_is_friction(builder: Buil
     builder.tool("motor")
     builder.at(*REAR)  # where a pin is already: the motor replaces it
     assert not builder.editor.applying.refusal
-    assert builder.person.window.banner.tells(
+    assert builder.person.window.banner.is_showing(
         say("Without the effect 'friction', a wheel that it drives slips")
     )
     builder.act("Select nothing")

@@ -241,7 +241,10 @@ def test_a_drop_onto_another_body_is_refused_and_the_run_goes_on_as_it_was(
 
 def test_the_page_tells_that_no_check_holds_for_a_run_that_was_changed(running: Builder) -> None:
     dropped(running)
-    told = [block.text for block in sections.above(running.editor, running.person.session)]
+    told = [
+        block.text
+        for block in sections.mistakes_and_choices(running.editor, running.person.session)
+    ]
     assert sections.NO_FORMULA in told
 
 

@@ -4,7 +4,7 @@ import pygame
 
 from sandbox.app.drawing import theme
 from sandbox.app.pages.build import sections
-from sandbox.app.widgets.widget_helpers import scrolled
+from sandbox.app.widgets.widget_helpers import scroll_position
 from tests.app.building.builder import Builder
 
 
@@ -49,7 +49,7 @@ def test_a_joint_is_a_pin_at_first_and_is_told_of_in_words(builder: Builder) -> 
 
     (pin,) = builder.document["joints"].values()
     assert pin["type"] == "pivot"
-    assert builder.person.window.banner.tells("Tied: box 1 to the plane")
+    assert builder.person.window.banner.is_showing("Tied: box 1 to the plane")
 
 
 def test_tools_stay_where_they_are_while_the_fields_are_scrolled(builder: Builder) -> None:
@@ -144,19 +144,19 @@ def test_the_run_begins_at_the_top_of_the_page(builder: Builder) -> None:
     builder.at(-0.6, 0)
     container = builder.page._sheet.container
     builder.reach(builder.page.inspector.field("bodies", "left", "layer"))
-    assert scrolled(container) > 0
+    assert scroll_position(container) > 0
 
     builder.click(builder.page.palette.button("Try it").rect)
     builder.person.wait(0.2)
-    assert scrolled(container) == 0
+    assert scroll_position(container) == 0
 
 
 def test_the_run_begins_at_the_top_of_the_page_where_no_body_is_selected(builder: Builder) -> None:
     """The page says little about a run, so it needs no scroll bar."""
     container = builder.page._sheet.container
     builder.reach(builder.page.inspector.field("duration"))
-    assert scrolled(container) > 0
+    assert scroll_position(container) > 0
 
     builder.click(builder.page.palette.button("Try it").rect)
     builder.person.wait(0.2)
-    assert scrolled(container) == 0
+    assert scroll_position(container) == 0

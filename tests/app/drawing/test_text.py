@@ -60,7 +60,7 @@ def test_a_letter_without_width_is_not_taken_into_the_field_that_finds_levels(
     enter(player, "a")
     enter(player, f"{letter}b")
 
-    assert player.listed.sought.replace(" ", "") == "ab"
+    assert player.listed.search_text.replace(" ", "") == "ab"
 
 
 @pytest.mark.parametrize("letter", thinned(UNSEEN, 4), ids=ascii)
@@ -70,14 +70,14 @@ def test_what_is_pasted_is_taken_but_for_what_cannot_be_drawn(
     player.press(pygame.K_SLASH, "/")
     paste(player, f"{letter}hard{letter}", monkeypatch)
 
-    assert player.listed.sought.replace(" ", "") == "hard"
+    assert player.listed.search_text.replace(" ", "") == "hard"
 
 
 def test_a_book_that_is_pasted_is_cut(player: Person, monkeypatch: pytest.MonkeyPatch) -> None:
     player.press(pygame.K_SLASH, "/")
     paste(player, "a word and another " * 100_000, monkeypatch)
 
-    assert len(player.listed.sought) == LONGEST
+    assert len(player.listed.search_text) == LONGEST
 
 
 def test_an_empty_clipboard_changes_nothing(
@@ -86,7 +86,7 @@ def test_an_empty_clipboard_changes_nothing(
     player.press(pygame.K_SLASH, "/")
     paste(player, "", monkeypatch)
 
-    assert player.listed.sought == ""
+    assert player.listed.search_text == ""
 
 
 @pytest.mark.parametrize("letter", thinned(UNSEEN, 4), ids=ascii)

@@ -30,7 +30,7 @@ def test_a_dropped_file_is_there_when_the_window_is_opened_again(person: Person,
     again = Window((1280, 800))
 
     assert again.panels.list is not None
-    first = again.panels.list.found[0]
+    first = again.panels.list.matching_levels[0]
     assert (first.path, first.chapter, first.title) == (own, "opened", "A falling ball")
 
 

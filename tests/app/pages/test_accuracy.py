@@ -11,7 +11,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.frame_budget import FRAME, Load
 from sandbox.app.pages.accuracy import work_precision_diagram
-from sandbox.app.pages.accuracy.background_study import Studying
+from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
@@ -28,7 +28,7 @@ DRAG = {"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}}
 
 
 def busy(person: Person) -> bool:
-    return person.window.workers.of(Studying).running
+    return person.window.workers.of(BackgroundStudy).running
 
 
 def waits(person: Person) -> bool:
@@ -48,7 +48,7 @@ def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> I
 @pytest.fixture
 def informed(player: Person) -> Person:
     """A person to whom the costs of the schemes are known, and now also the run's error."""
-    studying = player.window.workers.of(Studying)
+    studying = player.window.workers.of(BackgroundStudy)
     studying.points.append(WorkPrecisionPoint("leapfrog", 60, 1e-4, 1e-3))
     until(player, lambda: studying.here is not None and not studying.running)
     return player
@@ -73,7 +73,7 @@ def test_the_legend_below_the_diagram_has_room_for_all_schemes(player: Person) -
 
 @pytest.mark.sweep
 def test_it_is_measured_without_being_asked_and_drawn(player: Person) -> None:
-    studying = player.window.workers.of(Studying)
+    studying = player.window.workers.of(BackgroundStudy)
     until(player, lambda: studying.here is not None and not studying.running)
 
     assert {"leapfrog", "symplectic-euler"} <= {point.scheme for point in studying.points}
@@ -88,7 +88,7 @@ def test_nothing_is_measured_where_nobody_looks(person: Person, tmp_path: Path) 
     person.open(tmp_path, scenes.falling())
     person.wait(2)
 
-    assert not person.window.workers.of(Studying).running
+    assert not person.window.workers.of(BackgroundStudy).running
 
 
 def test_the_work_is_cancelled_by_its_button_and_begun_again(player: Person) -> None:
@@ -107,16 +107,16 @@ def test_the_work_is_cancelled_by_its_button_and_begun_again(player: Person) -> 
 
 
 def test_looking_for_a_setting_is_not_cut_short_by_measuring(player: Person) -> None:
-    player.window.workers.of(Studying).seek(player.session, 1e-12)
-    pid = player.window.workers.of(Studying)._work.pid
+    player.window.workers.of(BackgroundStudy).seek(player.session, 1e-12)
+    pid = player.window.workers.of(BackgroundStudy)._work.pid
     player.wait(1)
 
     assert pid is not None
-    assert player.window.workers.of(Studying)._work.pid == pid
+    assert player.window.workers.of(BackgroundStudy)._work.pid == pid
 
 
 def test_what_was_looked_for_is_not_done_to_another_level(player: Person) -> None:
-    player.window.workers.of(Studying).seek(player.session, 1e-3)
+    player.window.workers.of(BackgroundStudy).seek(player.session, 1e-3)
     player.press(pygame.K_o, "o")
 
     player.press(pygame.K_DOWN)
@@ -126,7 +126,7 @@ def test_what_was_looked_for_is_not_done_to_another_level(player: Person) -> Non
 
 
 def test_a_change_of_a_parameter_makes_what_was_known_void(informed: Person) -> None:
-    studying = informed.window.workers.of(Studying)
+    studying = informed.window.workers.of(BackgroundStudy)
     assert studying.points
     assert studying.splits(informed.session)
 
@@ -139,7 +139,7 @@ def test_a_change_of_a_parameter_makes_what_was_known_void(informed: Person) -> 
 
 
 def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person) -> None:
-    studying = player.window.workers.of(Studying)
+    studying = player.window.workers.of(BackgroundStudy)
     knob = player.page(AccuracyPage).dial.sliding_button
     assert knob is not None
     start = knob.rect.center
@@ -232,7 +232,7 @@ def test_a_search_that_is_cancelled_is_no_setting(person: Person, tmp_path: Path
     person.open(tmp_path, ASKING)
     until(person, lambda: busy(person))
 
-    person.window.workers.of(Studying).cancel()
+    person.window.workers.of(BackgroundStudy).cancel()
     person.wait(0.1)
 
     assert "cancelled" in str(person.session.failure)
@@ -260,7 +260,7 @@ def test_only_digits_that_survive_are_shown_and_how_far_they_go(informed: Person
     informed.press(pygame.K_o, "o")
     with_digits = window.surface.subsurface(window.panels.layout.side).copy()
 
-    window.workers.of(Studying)._splits.clear()
+    window.workers.of(BackgroundStudy)._splits.clear()
     informed.press(pygame.K_o, "o")
 
     side = window.surface.subsurface(window.panels.layout.side)
@@ -287,14 +287,14 @@ def test_digits_survive_that_are_larger_than_the_error(
 
 def test_digits_survive_in_the_unit_that_is_read() -> None:
     """0.1 rad ± 4e-4 has three digits, but 5.73° ± 0.023° only two."""
-    assert formatting.certain(0.1, 4e-4, "rad") == "5.7°"
-    assert formatting.certain(1234.0, 40.0, "J") == "1.2×10³ J"
-    assert formatting.certain(0.02, 1.0, "m") == "0 m"
+    assert formatting.trusted_value(0.1, 4e-4, "rad") == "5.7°"
+    assert formatting.trusted_value(1234.0, 40.0, "J") == "1.2×10³ J"
+    assert formatting.trusted_value(0.02, 1.0, "m") == "0 m"
 
 
 def test_closing_the_window_ends_the_work(player: Person) -> None:
     player.wait(1)
-    pid = player.window.workers.of(Studying)._work.pid
+    pid = player.window.workers.of(BackgroundStudy)._work.pid
     assert pid is not None
 
     player.window.close()
@@ -305,7 +305,7 @@ def test_closing_the_window_ends_the_work(player: Person) -> None:
 def test_frames_go_on_while_it_is_measured(player: Person) -> None:
     player.press(pygame.K_SPACE, " ")
     player.wait(0.7)
-    assert player.window.workers.of(Studying).running
+    assert player.window.workers.of(BackgroundStudy).running
 
     before = player.session.world.steps
     player.wait(0.25)
@@ -316,8 +316,8 @@ def test_frames_go_on_while_it_is_measured(player: Person) -> None:
 def test_a_load_is_smoothed_and_adds_up() -> None:
     load = Load()
     for _ in range(200):
-        load.stepped(0.5 * FRAME, 0.2 * FRAME)
-        load.drew(0.1 * FRAME)
+        load.note_steps(0.5 * FRAME, 0.2 * FRAME)
+        load.note_drawing(0.1 * FRAME)
 
     assert load.shares == pytest.approx({"physics": 0.3, "hooks": 0.2, "drawing": 0.1})
 
@@ -361,7 +361,7 @@ def test_a_diagram_stands_on_whole_powers_of_ten(pen: Pen) -> None:
 
 
 def test_a_study_forgets_what_it_knew_of_another_run() -> None:
-    studying, session = Studying(), Session(scenes.level())
+    studying, session = BackgroundStudy(), Session(scenes.level())
     studying.follow(session, 0.0, watched=True)
     studying._take(CurrentSetting("leapfrog", 60, 1e-5, 1e-3))
 

@@ -65,7 +65,7 @@ def test_a_solved_challenge_earns_its_stars_and_its_title_a_mark(person: Person)
     assert attempt.stars == 3
     assert Progress().stars("Stop dead") == 3
     banner = person.window.banner
-    banner.tell("")
+    banner.write("")
     assert banner._complete(person.session).startswith("3 of 3 stars – ")
     person.window.open_level("newton/atwood")
     person.window.open_level(LEVEL)

@@ -184,7 +184,7 @@ def test_where_the_scheme_is_for_an_effect_it_stays() -> None:
     whatif.toggle(session, "attraction")
 
     assert session.level.stepping.scheme == "fourth-order"
-    assert session.changes.left is None
+    assert session.changes.replaced_scheme is None
 
 
 def test_a_setting_that_is_chosen_for_the_changed_run_is_kept_when_its_effect_is_gone() -> None:
@@ -192,7 +192,7 @@ def test_a_setting_that_is_chosen_for_the_changed_run_is_kept_when_its_effect_is
     whatif.toggle(session, "drag")
     chosen = session.world.stepping.at(240)
 
-    whatif.repace(session, chosen)
+    whatif.play_with_stepping(session, chosen)
     whatif.toggle(session, "drag")
 
     assert session.level.stepping == chosen

@@ -139,14 +139,14 @@ def test_words_of_the_diagram_do_not_cover_each_other(
     pen: Pen, level: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     places: list[pygame.Rect] = []
-    find = Labels.find
+    find = Labels.place_for
 
     def spied(self: Labels, *told: object) -> pygame.Rect | None:
         place = find(self, *told)  # type: ignore[arg-type]
         places.extend([place] if place else [])
         return place
 
-    monkeypatch.setattr(Labels, "find", spied)
+    monkeypatch.setattr(Labels, "place_for", spied)
     session = stepped(level)
 
     force_diagrams.free_body(pen, (WIDTH, card.DIAGRAM), at(session))
@@ -162,7 +162,7 @@ def test_the_polygon_ends_where_the_sum_does(pen: Pen, level: str) -> None:
 
     picture = force_diagrams.polygon(pen, (WIDTH, card.POLYGON), found)
 
-    net = hypot(*forces_on_selection.cleared(found.net, found))
+    net = hypot(*forces_on_selection.without_rounding(found.net, found))
     arrow = pixels(picture, theme.RESULTANT) - pixels(words(pen, net), theme.RESULTANT)
     assert (arrow > 20) == (net > 0)
 
@@ -174,8 +174,8 @@ def test_a_force_that_is_rounding_beside_the_others_is_left_out() -> None:
     more = FreeBody(**{f: getattr(found, f) for f in found.__slots__} | {
         "forces": (*found.forces, faint)})  # fmt: skip
 
-    assert faint not in forces_on_selection.felt(more)
-    assert forces_on_selection.felt(more) == forces_on_selection.felt(found)
+    assert faint not in forces_on_selection.not_negligible(more)
+    assert forces_on_selection.not_negligible(more) == forces_on_selection.not_negligible(found)
 
 
 def test_a_level_in_which_nothing_moves_by_forces_says_so(pen: Pen) -> None:
@@ -202,7 +202,7 @@ def test_the_scale_of_the_arrows_changes_seldom() -> None:
     seen = []
     for _ in range(200):
         session.step()
-        seen.append(session.looking.full(at(session)))
+        seen.append(session.looking.force_of_longest_arrow(at(session)))
 
     changes = sum(a != b for a, b in pairwise(seen))
     assert changes < 4
@@ -249,17 +249,17 @@ def test_forces_along_one_line_all_have_their_words(
     session.looking.chosen = body
     found = at(session)
     places: list[pygame.Rect] = []
-    find = Labels.find
+    find = Labels.place_for
 
     def noted(self: Labels, *told: object) -> pygame.Rect | None:
         place = find(self, *told)  # type: ignore[arg-type]
         places.extend([place] if place else [])
         return place
 
-    monkeypatch.setattr(Labels, "find", noted)
+    monkeypatch.setattr(Labels, "place_for", noted)
     force_diagrams.free_body(pen, (WIDTH, card.DIAGRAM), found)
 
-    assert len(places) == len(forces_on_selection.felt(found))
+    assert len(places) == len(forces_on_selection.not_negligible(found))
     assert not any(a.colliderect(b) for a, b in combinations(places, 2))
 
 

@@ -13,7 +13,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import CAPACITY
-from sandbox.app.pages.accuracy.background_study import Studying
+from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 from sandbox.app.pages.graph.card import graphs, measured, span_of
 from sandbox.app.pages.graph.chosen_quantities import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
@@ -68,7 +68,7 @@ def test_every_quantity_that_is_offered_can_be_drawn() -> None:
 
 
 def test_a_line_goes_through_its_points(pen: Pen) -> None:
-    span = plot.across(pen, 300, [np.array([0.0, 1.0])])
+    span = plot.horizontal_scale(pen, 300, [np.array([0.0, 1.0])])
     y = np.array([0.0, 1.0])
     drawn = plot.draw(pen, (300, 150), [Series((255, 0, 0), y, y)], span, cursor=None)
 
@@ -172,9 +172,9 @@ def test_an_open_graph_has_its_digits_found_out(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_d, "d")
 
-    until(person, lambda: bool(person.window.workers.of(Studying).trust(person.session)))
+    until(person, lambda: bool(person.window.workers.of(BackgroundStudy).trust(person.session)))
 
-    assert not person.window.workers.of(Studying).points
+    assert not person.window.workers.of(BackgroundStudy).points
 
 
 def test_a_quantity_that_is_all_error_has_no_digits() -> None:
@@ -412,7 +412,7 @@ def test_of_a_zoomed_line_every_point_that_is_seen_is_drawn(pen: Pen) -> None:
     x = np.linspace(0.0, 1.0, 100_001)
     y = np.where(np.arange(len(x)) == 50_001, 1.0, 0.0)
     series = [Series((255, 0, 0), x, y)]
-    span = plot.across(pen, 300, [x])
+    span = plot.horizontal_scale(pen, 300, [x])
     near = span._replace(low=0.4999, high=0.5001)
 
     far_off, close = (plot.draw(pen, (300, 150), series, each, None) for each in (span, near))
@@ -427,8 +427,8 @@ def test_of_a_zoomed_line_every_point_that_is_seen_is_drawn(pen: Pen) -> None:
 def test_what_lies_far_beyond_a_closely_seen_part_leaves_its_line_there(pen: Pen) -> None:
     x = np.array([0.0, 1.0])
     series = [Series((255, 0, 0), x, x), Series((0, 0, 255), x, 1 - x, dashed=True)]
-    span = plot.across(pen, 300, [x])._replace(low=0.5 - 1e-7, high=0.5 + 1e-7)
-    up = plot.upwards(pen, 150, [x])._replace(low=0.5 - 1e-7, high=0.5 + 1e-7)
+    span = plot.horizontal_scale(pen, 300, [x])._replace(low=0.5 - 1e-7, high=0.5 + 1e-7)
+    up = plot.vertical_scale(pen, 150, [x])._replace(low=0.5 - 1e-7, high=0.5 + 1e-7)
 
     pixels = pygame.surfarray.array3d(plot.draw(pen, (300, 150), series, span, None, up))
 
@@ -445,7 +445,7 @@ def test_what_is_saved_is_what_is_seen(
     grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
     across = zoomed(grapher).across
     assert across is not None
-    grapher.window.panels.turn(0.3)
+    grapher.window.panels.scroll_pages(0.3)
     grapher.wait(0.1)
 
     grapher.click(grapher.page(GraphPage).button("Save CSV").rect)

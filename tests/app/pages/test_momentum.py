@@ -7,7 +7,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.momentum import card
-from sandbox.app.pages.momentum.card import LABEL, MOST, bodies, given, momentum
+from sandbox.app.pages.momentum.card import LABEL, MOST, bodies, explained_change, momentum
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import momentum_scale
 from sandbox.app.stage.level_labels import seen_from
@@ -35,7 +35,7 @@ def of(session: Session) -> dict[str, list[float]]:
 
 
 def since(session: Session) -> dict[str, np.ndarray]:
-    return {each.name.strip(): each.value for each in given(session)}
+    return {each.name.strip(): each.value for each in explained_change(session)}
 
 
 def pixels(picture: pygame.Surface, color: theme.Color) -> np.ndarray:

@@ -180,7 +180,7 @@ def test_a_number_lets_it_run_and_is_held_against_formula_and_run(asked: Person)
     assert outcome.predicted == 5.2
     assert outcome.formula == pytest.approx(5)
     assert outcome.simulated == pytest.approx(5, rel=1e-9)
-    assert outcome.apart(5.2) == pytest.approx(0.04)
+    assert outcome.difference(5.2) == pytest.approx(0.04)
     assert outcome.verdict == "within 5 %"
     assert asked.session.at_end
 

@@ -147,7 +147,7 @@ def test_a_page_that_is_a_card_needs_no_panel(
     monkeypatch.setattr(tabs, "tip", lambda command: command)
     person.window.open_level(LEVELS[0])
 
-    person.window.commands.turn_to("forces page")
+    person.window.commands.open_page("forces page")
     person.wait()
 
     sheet = person.side._sheet.container.rect
@@ -161,7 +161,7 @@ def test_a_page_that_is_a_card_needs_no_panel(
         (lambda: Page("momentum", "Momentum", "", "y", card), "a text"),
         (lambda: Page("momentum", "Momentum", "the momenta"), "a card or a panel"),
         (
-            lambda: Page("momentum", "Momentum", "x", panel=_panel, beside=lambda _: ()),
+            lambda: Page("momentum", "Momentum", "x", panel=_panel, superimposed_runs=lambda _: ()),
             "a card",
         ),
     ],

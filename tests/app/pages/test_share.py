@@ -11,7 +11,7 @@ import pytest
 from sandbox.app import film
 from sandbox.app.background import Background
 from sandbox.app.files import save_folder
-from sandbox.app.pages.share.background_film import Filming
+from sandbox.app.pages.share.background_film import FilmWorker
 from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
@@ -191,7 +191,7 @@ def test_a_film_that_is_being_made_is_not_given_up_for_another(
     person.click(shown.button(second).rect)
 
     assert len(begun) == 1
-    assert person.window.banner.tells("one film at a time: the next when this one is saved")
+    assert person.window.banner.is_showing("one film at a time: the next when this one is saved")
 
 
 def test_how_far_a_film_is_has_its_place_on_the_page(
@@ -211,6 +211,6 @@ def test_where_a_film_was_saved_stays_on_the_page(person: Person) -> None:
     shown = played(person)
     before = pygame.surfarray.array3d(shown._drawn())
 
-    person.window.workers.of(Filming).message = "saved projectile.gif"
+    person.window.workers.of(FilmWorker).message = "saved projectile.gif"
 
     assert not np.array_equal(before, pygame.surfarray.array3d(shown._drawn()))

@@ -14,7 +14,7 @@ from sandbox.app.pages.table.stopwatch_triggers import (
     StopwatchTrigger,
     TriggerTime,
     find,
-    occasions,
+    triggers,
 )
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
@@ -35,7 +35,7 @@ def opened(name: str) -> tuple[Session, Stopwatch]:
 
 
 def called(session: Session, told: str) -> StopwatchTrigger:
-    return next(each for each in occasions(session) if each.label == told)
+    return next(each for each in triggers(session) if each.label == told)
 
 
 def reading(person: Person) -> Reading:
@@ -50,19 +50,19 @@ def to_the_end(session: Session) -> None:
 def test_from_the_start_to_the_apex_it_takes_v_sin_over_g() -> None:
     session, stopwatch = opened("kinematics/projectile")
     stopwatch.choose(AT_ONCE, called(session, "apex of ball"))
-    assert stopwatch.reading(session).going
+    assert stopwatch.reading(session).is_running
     to_the_end(session)
 
     found = stopwatch.reading(session)
 
-    assert not found.going
+    assert not found.is_running
     assert found.seconds == pytest.approx(V / G, rel=1e-9)
     assert found.text == f"{V / G:.4f} s"
 
 
 def test_bodies_have_their_names_in_words() -> None:
     session, _ = opened("machines/ragdoll")
-    labels = [each.label for each in occasions(session)]
+    labels = [each.label for each in triggers(session)]
 
     assert "apex of left thigh" in labels
     assert not any("_" in label for label in labels)
@@ -92,7 +92,7 @@ def test_the_first_contact_stops_it_when_the_ball_has_fallen() -> None:
 
     assert found.seconds == pytest.approx(sqrt(2 * 3 / G), rel=1e-12)
     assert found.text == "0.7821 s"
-    assert not found.going
+    assert not found.is_running
 
 
 def test_a_hand_that_lifts_a_ball_does_not_keep_its_first_contact_from_being_timed() -> None:
@@ -143,7 +143,7 @@ def test_the_key_starts_stops_and_starts_it_anew(person: Person) -> None:
     person.press(pygame.K_RIGHT)
 
     person.press(pygame.K_3, "3")
-    assert reading(person) == Reading(0.0, 2, begun=True, going=True)
+    assert reading(person) == Reading(0.0, 2, has_started=True, is_running=True)
     for _ in range(30):
         person.press(pygame.K_RIGHT)
     assert reading(person).text == "0.50 s"
@@ -151,15 +151,15 @@ def test_the_key_starts_stops_and_starts_it_anew(person: Person) -> None:
     for _ in range(6):
         person.press(pygame.K_RIGHT)
     assert reading(person).text == "0.50 s"
-    assert not reading(person).going
+    assert not reading(person).is_running
     assert pygame.image.tobytes(person.window.surface, "RGB") != before
 
     go_to(person.session, 16)
     assert reading(person).text == "0.25 s"
     go_to(person.session, 0)
-    assert not reading(person).begun
+    assert not reading(person).has_started
     person.press(pygame.K_3, "3")
-    assert reading(person).going
+    assert reading(person).is_running
 
     person.press(pygame.K_ESCAPE)
     assert not stopwatch.shown
@@ -171,7 +171,7 @@ def test_on_the_page_events_are_chosen_from_lists_and_it_is_set_back(person: Per
     for _ in range(6):
         person.press(pygame.K_RIGHT)
     person.press(pygame.K_1, "1")
-    person.window.panels.turn(9)
+    person.window.panels.scroll_pages(9)
     timing, stopwatch = person.page(TablePage).timing, person.window.workers.of(Stopwatch)
     person.wait()
 
@@ -183,13 +183,13 @@ def test_on_the_page_events_are_chosen_from_lists_and_it_is_set_back(person: Per
     person.press(pygame.K_RIGHT)
     assert reading(person).text == "0.10 s"
     person.click(timing.reset.rect)
-    assert reading(person).going
+    assert reading(person).is_running
 
     person.click(_row(timing.stops, 2))
     person.wait(0.1)
     assert stopwatch.stops.label == "apex of ball"
     person.press(pygame.K_3, "3")  # nothing is left to a hand
-    assert reading(person).going
+    assert reading(person).is_running
 
 
 def _row(chooser: object, index: int) -> pygame.Rect:

@@ -78,7 +78,7 @@ def test_what_nobody_would_miss_is_not_kept(tmp_path: Path) -> None:
     kept.follow(session, 60.0)
     assert file.stat().st_mtime_ns == written  # nothing has happened since
 
-    kept.forget()
+    kept.delete()
     assert not list(tmp_path.rglob("*.run.json"))
 
 

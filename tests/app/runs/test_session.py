@@ -411,7 +411,7 @@ def test_another_pace_takes_a_run_that_was_changed_from_the_start_of_its_level()
         session.step()
     session.alter(as_it_stands(session.world, anew=False))
 
-    whatif.repace(session, session.world.stepping)
+    whatif.play_with_stepping(session, session.world.stepping)
 
     assert session.world.snapshot.position.tobytes() == begun
     assert session.values == session.original.defaults

@@ -17,7 +17,7 @@ SIZE = 278, 150  # px
 @pytest.mark.parametrize("end", [0.01983, 0.19833, 0.7, 1.61, 19.83, 1234.5, 2.3e-7])
 @pytest.mark.parametrize("width", [120, 278, 360])
 def test_the_numbers_of_an_axis_keep_apart(pen: Pen, end: float, width: int) -> None:
-    span = plot.across(pen, width, [np.array([0.0, end])])
+    span = plot.horizontal_scale(pen, width, [np.array([0.0, end])])
 
     ticks = plot._ticks_apart(span, lambda text: pen.write(text, 11).width, pen.px(GAP))
 
@@ -36,7 +36,7 @@ def test_the_numbers_beside_a_low_graph_do_not_cover_each_other(
     """Each line at a round value has a number of its own, with empty rows around it."""
     pygame.font.init()
     pen, x = Pen(text_scale), np.linspace(0.5, 1.0, 9)
-    span = plot.across(pen, SIZE[0], [np.array([0.0, 1.0])])
+    span = plot.horizontal_scale(pen, SIZE[0], [np.array([0.0, 1.0])])
     series = Series(theme.ACCENT, x, 4.4 + 0.7 * x)
 
     drawn = pygame.surfarray.array3d(plot.draw(pen, (SIZE[0], height), [series], span, None))
@@ -57,7 +57,7 @@ def test_what_is_kept_in_radians_is_numbered_in_degrees(
     brief = plot._brief
     monkeypatch.setattr(plot, "_brief", lambda v: texts.append(brief(v)) or brief(v))  # type: ignore[func-returns-value]
     line = Series((255, 255, 255), np.array([0.0, 1.0]), np.array([0.0, radians(90)]))
-    span = plot.across(pen, SIZE[0], [line.x])
+    span = plot.horizontal_scale(pen, SIZE[0], [line.x])
 
     plot.draw(pen, SIZE, [line], span, None, units=("s", "rad"))
     assert "80" in texts
@@ -70,8 +70,8 @@ def test_what_is_kept_in_radians_is_numbered_in_degrees(
 def test_a_scale_of_another_unit_is_read_as_it_is() -> None:
     scale = Scale(0.0, 2.0, 0.0, 100.0)
 
-    assert scale.read_in("m") is scale
-    assert scale.read_in("rad/s").high == pytest.approx(360 / 3.14159265, rel=1e-6)
+    assert scale.in_shown_unit("m") is scale
+    assert scale.in_shown_unit("rad/s").high == pytest.approx(360 / 3.14159265, rel=1e-6)
 
 
 @pytest.mark.parametrize("slope", [-1e-5, 1e-5])
@@ -81,7 +81,7 @@ def test_what_numbers_are_told_beyond_stands_where_no_line_is(pen: Pen, slope: f
     series = Series(theme.ACCENT, x, 4.5 + slope * x**2, marked=True)
 
     drawn = pygame.surfarray.array3d(
-        plot.draw(pen, SIZE, [series], plot.across(pen, SIZE[0], [x]), None)
+        plot.draw(pen, SIZE, [series], plot.horizontal_scale(pen, SIZE[0], [x]), None)
     )
 
     columns, rows = np.nonzero((drawn == theme.NOTICE).all(axis=2))

@@ -26,11 +26,11 @@ from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.words import language
 from sandbox.model import level_catalog
-from sandbox.model.annotated_fields import Words, prose
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
+from sandbox.model.marked_fields import Words, prose
 from sandbox.physics.energy.balance import Balance
 from tests.app.building.builder import Builder
 from tests.app.person import Person, until
@@ -43,7 +43,8 @@ OWN_NAMES = {"nglish", "eutsch"}
 
 
 SHOWING = {
-    "text", "heading", "label", "write", "outlined", "paragraph", "tell", "_tell", "_say_first",
+    "text", "heading", "label", "write", "outlined", "paragraph", "show_message", "_show_note",
+    "_show_at_once",
     "Act", "Block", "Offer", "Choice", "Setting",
 }  # fmt: skip
 """What draws or tells a text, or keeps one that is shown."""
@@ -141,7 +142,7 @@ def heard(speech: Speech, person: Person) -> None:
 def test_the_system_says_its_language_as_gettext_has_it(
     environment: Mapping[str, str], name: str
 ) -> None:
-    assert language.of_system(environment) == name
+    assert language.system_language(environment) == name
 
 
 @pytest.mark.sweep
@@ -153,7 +154,7 @@ def test_a_language_is_chosen_on_the_page_of_the_settings_and_all_changes_at_onc
     assert person.window.panels.controls.button("help").text == "Hilfe"
     assert person.side.tab("forces page").text == "Kräfte"
     assert person.window.panels.list is not None
-    assert person.window.panels.list.way("home").text == "Übersicht"
+    assert person.window.panels.list.link_button("home").text == "Übersicht"
     choose(person, "English")
 
     assert person.window.panels.controls.button("help").text == "Help"

@@ -12,8 +12,8 @@ from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.words import language, level_translation
 from sandbox.app.words.formatting import name_in_words
 from sandbox.model import level_catalog
-from sandbox.model.annotated_fields import prose
 from sandbox.model.loading import load
+from sandbox.model.marked_fields import prose
 from tests.app.person import Person
 from tests.app.scenes import falling
 
@@ -197,14 +197,14 @@ def test_a_level_is_found_by_german_words_and_by_those_of_its_author(
     person.press(pygame.K_SLASH, "/")
     person.type(typed)
 
-    assert person.listed.found[0].title == "Freier Fall"
+    assert person.listed.matching_levels[0].title == "Freier Fall"
 
 
 def test_in_english_no_german_word_finds_a_level(person: Person) -> None:
     person.press(pygame.K_SLASH, "/")
     person.type("freier")
 
-    assert person.listed.found == []
+    assert person.listed.matching_levels == []
 
 
 def test_stars_stay_with_a_challenge_in_whichever_language(

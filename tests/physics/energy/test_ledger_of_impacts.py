@@ -5,7 +5,7 @@ import pytest
 
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.space_arrays import NO_CONTACTS
-from sandbox.physics.events.impact_response import Collided, Impact
+from sandbox.physics.events.impact_response import DriftImpacts, Impact
 from sandbox.physics.events.joint_impacts import Jolt
 from sandbox.physics.events.switching_events import EventEntries
 from sandbox.physics.joints.joint_forces import JointForces
@@ -113,7 +113,7 @@ def test_no_impact_in_a_drift_takes_back_what_another_or_a_kick_lost(
     impacts = [
         Impact((0, 1), 0.0, 1 + 0j, (0j,), 0j, 0.0, 0.0, 0.0, work, np.zeros(3)) for work in works
     ]
-    cut = Collided(impacts, world.scene.batch.velocity(), 0.0, np.zeros(3))
+    cut = DriftImpacts(impacts, world.scene.batch.velocity(), 0.0, np.zeros(3))
     monkeypatch.setattr(World, "last", world.last._replace(impacts=cut))
     ledger.note()
 

@@ -149,7 +149,7 @@ def largest_swing(run: Run) -> float:
     return float(np.abs(measured(run, "block.position.x") - 1).max() / 0.01)
 
 
-def is_told(_scene: Level, duration: float) -> float:
+def is_refused(_scene: Level, duration: float) -> float:
     """Return the same for a spring beyond ω dt = 2, until it is refused."""
     far = 0.0
     try:
@@ -222,10 +222,10 @@ def _springs() -> Iterator[HardCase]:
         every_step=True,
     )  # fmt: skip
     yield HardCase(
-        name="a spring at ω dt = 2.01 is told", group="B",
+        name="a spring at ω dt = 2.01 is refused", group="B",
         level="hard/spring-at-its-limit",
         criterion="the run must be refused, or stop before the spring swings ten times as far",
-        special=is_told,
+        special=is_refused,
         bound=10,
         duration=10,
     )  # fmt: skip

@@ -4,9 +4,9 @@ from sandbox.app.pages.page import Desk, Page, PageCommand, imported
 
 
 def _measure(desk: Desk) -> None:
-    from sandbox.app.pages.accuracy.background_study import Studying
+    from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 
-    desk.worker(Studying).measure_or_cancel(desk.session)
+    desk.worker(BackgroundStudy).measure_or_cancel(desk.session)
 
 
 PAGE = Page(
@@ -15,6 +15,6 @@ PAGE = Page(
     key="a",
     text="accuracy: what the next digit costs",
     panel=imported("sandbox.app.pages.accuracy.panel", "AccuracyPage"),
-    worker=imported("sandbox.app.pages.accuracy.background_study", "Studying"),
+    worker=imported("sandbox.app.pages.accuracy.background_study", "BackgroundStudy"),
     commands=(PageCommand("measure", "A", "start or stop measuring error and cost", _measure),),
 )

@@ -30,7 +30,7 @@ PATIENCE = 0.5  # s without a change before the work starts
 CANCELLED = Message("the search for a setting has been cancelled")
 
 
-class Studying(BackgroundTask):
+class BackgroundStudy(BackgroundTask):
     """Studies a session in the background."""
 
     def __init__(self) -> None:
@@ -66,11 +66,11 @@ class Studying(BackgroundTask):
 
         Return its message; None if there is none. The study starts only while the page is open.
         """
-        self._keep_to(session, seconds, watched=watched)
-        setting = self._look()
+        self._follow_scene(session, seconds, watched=watched)
+        setting = self._collect_results()
         return None if setting is None else _play_with(session, setting)
 
-    def _keep_to(self, session: Session, seconds: float, *, watched: bool) -> None:
+    def _follow_scene(self, session: Session, seconds: float, *, watched: bool) -> None:
         """Discard results for another scene, and start the study of this one after a pause."""
         before, self._scene = self._scene, self._scene_of(session)
         if before != self._scene:  # comparing identical objects takes no time
@@ -89,14 +89,14 @@ class Studying(BackgroundTask):
         if self._waited < PATIENCE or self.running:
             return
         if session.waiting and not session.failure:
-            self._settle(session)
+            self._search_setting(session)
         elif watched and not (session.waiting or self._measured):
             self.measure(session)
         elif self._asked and not (session.waiting or self._trust_sought or self._trust):
             self._trust_sought = True
             self._start(accuracy_study.split, session.resolved, session.values)
 
-    def _settle(self, session: Session) -> None:
+    def _search_setting(self, session: Session) -> None:
         """Search for the setting that a session waits for; give up if a search has failed."""
         if self._sought is session.world:
             session.give_up(self.failure or CANCELLED)
@@ -136,10 +136,10 @@ class Studying(BackgroundTask):
         super().cancel()
         self._measured, self.progress = True, None
 
-    def _look(self) -> Setting | None:
+    def _collect_results(self) -> Setting | None:
         """Store new results, and return a setting that was found; None if there is none."""
         was_running, found = self._work.running, None
-        for finding in self._work.found():
+        for finding in self._work.results():
             self.news = object()
             if isinstance(finding, Setting):
                 found = finding
@@ -169,11 +169,11 @@ class Studying(BackgroundTask):
 
     def splits(self, session: Session) -> Mapping[int, ErrorBudget]:
         """Return the parts of the errors of the checks of the present run, by index."""
-        return self._splits if self._knows(session) else {}
+        return self._splits if self._is_current(session) else {}
 
     def trust(self, session: Session) -> Mapping[str, Trust]:
         """Return the accuracy of the quantities of the present run, by name."""
-        return self._trust if self._knows(session) and not session.world.disturbed else {}
+        return self._trust if self._is_current(session) and not session.world.disturbed else {}
 
     def ask_for_trust(self) -> None:
         """Let the accuracy of the quantities be found out, if nothing is known of it yet."""
@@ -183,7 +183,7 @@ class Studying(BackgroundTask):
         """Return the least accurate place; None if none is known."""
         return least_known(self.trust(session).values())
 
-    def _knows(self, session: Session) -> bool:
+    def _is_current(self, session: Session) -> bool:
         """Return whether the results are for the present run."""
         return session.level is self._level and self._scene_of(session) == self._scene
 
@@ -194,7 +194,7 @@ def _play_with(session: Session, setting: Setting) -> str:
         if session.waiting:
             session.settle(setting)
         else:
-            whatif.repace(session, setting.for_playing.stepping)
+            whatif.play_with_stepping(session, setting.for_playing.stepping)
     except SandboxError as error:
         return say(error.message)
-    return formatting.offer(setting)
+    return formatting.offered_setting(setting)

@@ -18,7 +18,7 @@ from sandbox.physics.accuracy.trusted_digits import Trust
 PARTS = (later("model"), later("numerical"), later("remaining"))
 
 
-def ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
+def dial_ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
     """Draw the meanings of the two ends of a dial."""
     card = Card(pen, width)
     card.put(pen.write(left, 12, theme.DIM), 0)
@@ -28,7 +28,7 @@ def ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
     return card.drawn()
 
 
-def asked(
+def current_accuracy(
     pen: Pen, width: int, target: float | None, stepping: Stepping, current: CurrentSetting | None,
     place: Trust | None,
 ) -> pygame.Surface:  # fmt: skip
@@ -78,7 +78,7 @@ def status(
     return surface
 
 
-def rest(
+def shares_and_errors(
     pen: Pen, width: int, shares: Mapping[str, float], level: Level,
     splits: Mapping[int, ErrorBudget],
 ) -> pygame.Surface:  # fmt: skip

@@ -8,8 +8,8 @@ from pygame_gui.elements import UIHorizontalSlider
 
 from sandbox.app.cards.card import Card
 from sandbox.app.pages.accuracy import work_precision_diagram
-from sandbox.app.pages.accuracy.background_study import Studying
-from sandbox.app.pages.accuracy.card import asked, ends, rest, status
+from sandbox.app.pages.accuracy.background_study import BackgroundStudy
+from sandbox.app.pages.accuracy.card import current_accuracy, dial_ends, shares_and_errors, status
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import later, say
@@ -34,7 +34,7 @@ class AccuracyPage:
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session, self._load = sheet, desk.session, desk.load
-        self._studying = desk.worker(Studying)
+        self._studying = desk.worker(BackgroundStudy)
         pen, width = sheet.pen, sheet.width
         self._asked = sheet.image(self._drawn_dial(), sheet.margin // 2)
         y = below(self._asked)
@@ -46,10 +46,10 @@ class AccuracyPage:
             container=sheet.container,
         )
         y += sheet.px(18)
-        y = below(sheet.image(ends(pen, width, say("fast"), say("exact")), y)) + 6
+        y = below(sheet.image(dial_ends(pen, width, say("fast"), say("exact")), y)) + 6
         self._diagram = sheet.image(self._drawn(), y)
         y = below(self._diagram) + 4
-        self._wide = sheet.room(say(MEASURE), say(CANCEL))
+        self._wide = sheet.widest_button(say(MEASURE), say(CANCEL))
         place = pygame.Rect(width - self._wide, y, self._wide, sheet.px(HEIGHT))
         self.button = sheet.button(
             place, say(MEASURE), say("start or stop measuring error and cost")
@@ -92,7 +92,7 @@ class AccuracyPage:
         replace(self._diagram, self._drawn())
         replace(self._status, self._drawn_status())
         replace(self._rest, self._drawn_rest())
-        self._sheet.end(below(self._rest) + 2)
+        self._sheet.set_content_height(below(self._rest) + 2)
 
     def _turn_dial(self) -> None:
         """Set the dial to the requested accuracy, unless it is being dragged."""
@@ -103,7 +103,7 @@ class AccuracyPage:
     def _drawn_dial(self) -> pygame.Surface:
         studying, session = self._studying, self._session
         place = studying.least_known(session)
-        return asked(
+        return current_accuracy(
             self._sheet.pen, self._sheet.width, studying.target, session.world.stepping,
             studying.here, place,
         )  # fmt: skip
@@ -134,4 +134,4 @@ class AccuracyPage:
     def _drawn_rest(self) -> pygame.Surface:
         pen, width, session = self._sheet.pen, self._sheet.width, self._session
         splits = self._studying.splits(session)
-        return rest(pen, width, self._load.shares, session.original, splits)
+        return shares_and_errors(pen, width, self._load.shares, session.original, splits)

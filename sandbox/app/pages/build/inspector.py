@@ -12,7 +12,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
 from sandbox.app.widgets.scrolling_area import Sheet
 from sandbox.app.widgets.text_field import Field
-from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.widgets.widget_helpers import show_pressed
 from sandbox.app.words.language import later, say
 from sandbox.model.json_positions import Path
 
@@ -79,7 +79,7 @@ class Inspector:
         self._lines, self._headings = {}, {}
         self._numbers, self._refused = numbers, refused
         self._put_rows(rows, 0)
-        self._restore()
+        self._restore_typed_text()
         self.refresh(rows)
 
     def _put_rows(self, rows: Sequence[Row], x: int) -> None:
@@ -153,7 +153,7 @@ class Inspector:
                 line.entry, line.row = entry, row
                 self._refresh_field(line)
                 for button, means in line.choices.items():
-                    press(button, (entry.shown or entry.default) == means)
+                    show_pressed(button, (entry.shown or entry.default) == means)
 
     def _refresh_field(self, line: Line) -> None:
         field, shown = line.field, line.entry.shown
@@ -177,7 +177,7 @@ class Inspector:
     def _fields(self) -> list[tuple[Line, Field]]:
         return [(line, line.field) for line in self._lines.values() if line.field is not None]
 
-    def keep(self) -> None:
+    def store_typed_texts(self) -> None:
         """Store texts that are being typed or were refused, before the widgets are rebuilt."""
         self._focused = next((li.entry.path for li, f in self._fields if f.is_focused), None)
         self._kept = {
@@ -186,7 +186,7 @@ class Inspector:
             if field.is_focused or line.entry.path in self._refused
         }
 
-    def _restore(self) -> None:
+    def _restore_typed_text(self) -> None:
         for line, field in self._fields:
             if (typed := self._kept.get(line.entry.path)) is not None:
                 text, line.shown = typed
@@ -194,7 +194,7 @@ class Inspector:
             if line.entry.path == self._focused:
                 self._sheet.manager.set_focus_set(field.get_focus_set())
 
-    def left(self) -> list[Line]:
+    def left_lines(self) -> list[Line]:
         """Return the lines with a changed field that has lost the focus.
 
         Those with the mouse on a name that is offered are left out.
@@ -218,7 +218,7 @@ class Inspector:
             None,
         )
 
-    def turn(self, element: object) -> bool:
+    def toggle_section(self, element: object) -> bool:
         """Open or close the section of a heading, and return whether the widget is a heading."""
         path = next((p for button, p in self._headings.items() if button is element), None)
         if path is not None:

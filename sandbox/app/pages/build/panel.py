@@ -19,7 +19,7 @@ from sandbox.app.pages.build.toolbar import Palette
 from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet
-from sandbox.app.widgets.widget_helpers import press, scroll
+from sandbox.app.widgets.widget_helpers import scroll_to, show_pressed
 from sandbox.app.words.language import say
 from sandbox.model import json_positions
 
@@ -60,12 +60,12 @@ class BuildPage:
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Handle a click or a typed text; the editor shows its message."""
-        for line in self.inspector.left():
+        for line in self.inspector.left_lines():
             self._set(line)
         if event.type == UI_BUTTON_PRESSED:
             if not self._press(event.ui_element):
                 return None
-            press(event.ui_element, False)  # a click changes the look; `update` sets it
+            show_pressed(event.ui_element, False)  # a click changes the look; `update` sets it
             return ""
         if event.type == UI_TEXT_ENTRY_FINISHED:
             return "" if self._enter(event.ui_element) else None
@@ -92,7 +92,7 @@ class BuildPage:
             self._editor.trying.read_run_state(self._session)
             self._at_present(act)()
             return True
-        return self.palette.press(element) or self.inspector.turn(element)
+        return self.palette.press(element) or self.inspector.toggle_section(element)
 
     def _at_present(self, act: ButtonAction) -> Callable[[], object]:
         """Return what an action does to the present level.
@@ -190,7 +190,7 @@ class BuildPage:
         self._refresh(blocks)
         self.inspector.refresh(rows)
         if another:
-            scroll(self._sheet.container, 0)
+            scroll_to(self._sheet.container, 0)
 
     def _blocks(self) -> Blocks:
         """Return the blocks above and below the field for a file name."""
@@ -203,14 +203,17 @@ class BuildPage:
             leave = ButtonAction(
                 say("Do not save"), say("continue without saving (Esc)"), editor.saving.stop_naming
             )
-            below.insert(0, Block("", acts=(save_here, leave)))
-        return sections.above(editor, self._session), [*below, *sections.arranging(editor)]
+            below.insert(0, Block("", actions=(save_here, leave)))
+        return sections.mistakes_and_choices(editor, self._session), [
+            *below,
+            *sections.arranging(editor),
+        ]
 
     def _build(
         self, blocks: Blocks, rows: Sequence[Row], numbers: Collection[json_positions.Path]
     ) -> None:
         above, below = blocks
-        self.inspector.keep()
+        self.inspector.store_typed_texts()
         self._column.clear()
         self._buttons = []
         self._put(above)
@@ -218,7 +221,7 @@ class BuildPage:
         self._put(below)
         self._column.y += 2 * self._sheet.px(GAP)
         self.inspector.build(rows, numbers, self._refused, dict(self._offered))
-        self._sheet.end(self._column.y + self._sheet.px(GAP))
+        self._sheet.set_content_height(self._column.y + self._sheet.px(GAP))
 
     def _put(self, blocks: Sequence[Block]) -> None:
         for block in blocks:
@@ -227,7 +230,7 @@ class BuildPage:
                 self._column.heading(block.text)
             elif block.text:
                 self._column.text(block.text, block.color)
-            self._buttons += self._column.buttons(block.acts)
+            self._buttons += self._column.buttons(block.actions)
 
     def _put_name(self) -> None:
         """Make the field for a file name, if one is asked for."""
@@ -241,8 +244,8 @@ class BuildPage:
     def _refresh(self, blocks: Blocks) -> None:
         """Connect the buttons to the present actions."""
         shown = [block for part in blocks for block in part]
-        acts = [act for block in shown for act in block.acts]
-        pressed = [act.caption in block.pressed for block in shown for act in block.acts]
+        acts = [act for block in shown for act in block.actions]
+        pressed = [act.caption in block.pressed for block in shown for act in block.actions]
         self._acts = list(zip(self._buttons, acts, strict=True))
         for button, on in zip(self._buttons, pressed, strict=True):
-            press(button, on)
+            show_pressed(button, on)

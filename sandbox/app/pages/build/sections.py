@@ -41,17 +41,17 @@ class Block(NamedTuple):
     text: str
     color: Color | None = None
     """None: the colour of less important texts"""
-    acts: tuple[ButtonAction, ...] = ()
+    actions: tuple[ButtonAction, ...] = ()
     pressed: frozenset[str] = frozenset()
     heading: bool = False
 
     @property
     def shape(self) -> tuple[object, ...]:
         """A key that changes whenever new widgets are needed."""
-        return self.text, self.color, self.heading, tuple(act.caption for act in self.acts)
+        return self.text, self.color, self.heading, tuple(act.caption for act in self.actions)
 
 
-def above(editor: Editor, session: Session) -> list[Block]:
+def mistakes_and_choices(editor: Editor, session: Session) -> list[Block]:
     """Return the top blocks: mistakes, and pending decisions."""
     found = []
     if editor.trying.is_shown(session):
@@ -73,7 +73,7 @@ def above(editor: Editor, session: Session) -> list[Block]:
             say("return to the run that you left, where it was (Ctrl Y right after Esc)"),
             partial(editor.trying.return_to_run, session),
         )
-        found.append(Block("", acts=(back,)))
+        found.append(Block("", actions=(back,)))
     if editor.applying.refusal:
         found.append(
             Block(say("It cannot run yet: {reason}", reason=editor.applying.refusal), theme.FAILED)
@@ -99,17 +99,17 @@ def subject(editor: Editor) -> list[Block]:
             title,
             Block(say(NOTHING_SELECTED if drawn else FIRST)),
             *_suggested(editor),
-            Block("", acts=tuple(actions(work))),
+            Block("", actions=tuple(actions(work))),
             _switches(editor),
             _costs(editor),
         ]
     if in_run:
         leave = ButtonAction(say("Select nothing"), "(Esc)", partial(work.select, ()))
-        return [title, Block("", acts=(_taking_out(editor), leave))]
+        return [title, Block("", actions=(_taking_out(editor), leave))]
     tip = say("show the level again (Esc)")
     leave = ButtonAction(say("Select nothing"), tip, partial(work.select, ()))
     switches = _switches(editor, EVERYDAY)
-    return [title, switches._replace(text=say(SELECTED), acts=(*switches.acts, leave))]
+    return [title, switches._replace(text=say(SELECTED), actions=(*switches.actions, leave))]
 
 
 def arranging(editor: Editor) -> list[Block]:
@@ -118,7 +118,7 @@ def arranging(editor: Editor) -> list[Block]:
         return []
     work = editor.work
     acts = (*part_actions(work), *arrangements(work))
-    return [Block("", acts=acts)] if acts else []
+    return [Block("", actions=acts)] if acts else []
 
 
 def _suggested(editor: Editor) -> list[Block]:
@@ -143,7 +143,7 @@ def _costs(editor: Editor) -> Block:
         return Block(say("The effects are being timed ..."))
     tip = say("times a step of this level with and without each effect, which takes some seconds")
     return Block(
-        "", acts=(ButtonAction(say("What does each effect cost?"), tip, editor.time_effects),)
+        "", actions=(ButtonAction(say("What does each effect cost?"), tip, editor.time_effects),)
     )
 
 
@@ -159,4 +159,4 @@ def _switches(editor: Editor, names: Iterable[str] = EFFECTS) -> Block:
     )
     message = say("Effects: those that are lit are on; click to switch one on or off.")
     lit = frozenset(map(say, inspected_fields.declared(work)))
-    return Block(message, acts=tuple(acts), pressed=lit)
+    return Block(message, actions=tuple(acts), pressed=lit)

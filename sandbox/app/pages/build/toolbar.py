@@ -10,10 +10,10 @@ from pygame_gui.elements import UIButton
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
-from sandbox.app.pages.build.widget_column import GAP, HEIGHT, SIZE, SMALL, beside
+from sandbox.app.pages.build.widget_column import GAP, HEIGHT, SIZE, SMALL, side_by_side
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet
-from sandbox.app.widgets.widget_helpers import allow, press, show, stretched
+from sandbox.app.widgets.widget_helpers import set_enabled, show, show_pressed, stretched
 from sandbox.app.words.language import later, say, say_in
 
 ACROSS = 4
@@ -66,15 +66,19 @@ class Palette:
             places = self._places([kind.caption for kind in several], y)
             for kind, place in zip(several, places, strict=True):
                 tip = f"{say(kind.text)} ({kind.key})"
-                self._put(place, kind.name, say(kind.caption), tip, partial(self._take, kind.name))
+                self._put(
+                    place, kind.name, say(kind.caption), tip, partial(self._choose_tool, kind.name)
+                )
             y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
         return y
 
     def _put_joints(self, y: int) -> int:
         captions = list(map(say, self._joints))
-        places = beside(self._sheet.pen, captions, self._sheet.width)
+        places = side_by_side(self._sheet.pen, captions, self._sheet.width)
         for (name, text), place in zip(self._joints.items(), places, strict=True):
-            self._put(place.move(0, y), name, say(name), say(text), partial(self._join, name))
+            self._put(
+                place.move(0, y), name, say(name), say(text), partial(self._choose_joint, name)
+            )
         return y + places[-1].bottom + self._sheet.px(GAP)
 
     def _places(self, captions: Sequence[str], y: int) -> Iterator[pygame.Rect]:
@@ -107,11 +111,11 @@ class Palette:
             act()
         return act is not None
 
-    def _take(self, tool: str) -> None:
+    def _choose_tool(self, tool: str) -> None:
         self._editor.tools.choose(tool)
         self._editor.resume_time()
 
-    def _join(self, kind: str) -> None:
+    def _choose_joint(self, kind: str) -> None:
         self._editor.tools.joining.use(kind)
         self._editor.bench.show()
 
@@ -119,17 +123,17 @@ class Palette:
         """Show the current tool, and whether there is something to undo, redo or save."""
         editor, draft = self._editor, self._editor.work.draft
         for kind in TOOLS:
-            press(self._buttons[kind.name], kind.name == editor.tools.tool)
+            show_pressed(self._buttons[kind.name], kind.name == editor.tools.tool)
         undoes, redoes = (
             editor.trying.undo_description(self._session),
             editor.trying.redo_description(self._session),
         )
         for name, key, undone in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
-            allow(self._buttons[name], undone is not None)
+            set_enabled(self._buttons[name], undone is not None)
             self._buttons[name].set_tooltip(
                 f"{undone} ({say_in('key', key)})" if undone else None, delay=0.6
             )
-        allow(self._buttons["Save"], draft.changed or draft.path is None)
+        set_enabled(self._buttons["Save"], draft.changed or draft.path is None)
         self._buttons[TRY].set_text(say(STOP if editor.trying.is_shown(self._session) else TRY))
         self._show_joints(editor.tools.tool == "join")
 
@@ -139,5 +143,5 @@ class Palette:
             button = self._buttons[name]
             show(button, shown)
             if shown:  # only visible buttons have a look
-                press(button, name == self._editor.tools.joining.kind)
-        self._sheet.pin(self._height if shown else self._without)
+                show_pressed(button, name == self._editor.tools.joining.kind)
+        self._sheet.set_strip_height(self._height if shown else self._without)

@@ -22,7 +22,7 @@ SIZE = 12  # of their captions, as in widgets.json
 PADDING = 14  # px, beside a caption, left and right together
 
 
-def beside(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:
+def side_by_side(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:
     """Return the places of buttons side by side, as many on a line as fit into a width [px]."""
     widths = (pen.write(caption, SIZE).width + pen.px(PADDING) for caption in captions)
     return list(in_rows(widths, width, pen.px(HEIGHT), pen.px(GAP)))
@@ -71,12 +71,12 @@ class Column:
             image.set_tooltip(tip, delay=0.6)
         self._widgets.append(image)
 
-    def field(self, x: int, width: int, text: str, otherwise: str = "", tip: str = "") -> Field:
-        """Add a field to the present line; `otherwise` is shown while it is empty."""
+    def field(self, x: int, width: int, text: str, placeholder: str = "", tip: str = "") -> Field:
+        """Add a field to the present line; `placeholder` is shown while it is empty."""
         field = Field(
             pygame.Rect(self._sheet.margin + x, self.y, width, self._sheet.px(HEIGHT)),
             self._sheet.manager,
-            container=self._sheet.container, initial_text=text, placeholder_text=otherwise,
+            container=self._sheet.container, initial_text=text, placeholder_text=placeholder,
             object_id=ObjectID(class_id=SMALL),
         )  # fmt: skip
         if tip:
@@ -92,7 +92,7 @@ class Column:
 
     def buttons(self, acts: Sequence[ButtonAction], x: int = 0) -> list[UIButton]:
         """Add rows of buttons, and continue below them."""
-        places = beside(self._sheet.pen, [act.caption for act in acts], self._sheet.width - x)
+        places = side_by_side(self._sheet.pen, [act.caption for act in acts], self._sheet.width - x)
         made = [
             self.button(place.move(x, 0), act.caption, act.tip)
             for act, place in zip(acts, places, strict=True)

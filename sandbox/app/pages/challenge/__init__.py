@@ -10,5 +10,5 @@ PAGE = Page(
     card=imported("sandbox.app.pages.challenge.card", "challenge"),
     panel=imported("sandbox.app.pages.challenge.panel", "ChallengePage"),
     worker=imported("sandbox.app.pages.challenge.judge", "Judge"),
-    suits=lambda level: level.challenge is not None,
+    suits_level=lambda level: level.challenge is not None,
 )

@@ -30,22 +30,22 @@ class ChallengePage:
         y = below(sheet.image(task(sheet.pen, sheet.width, desk.session), sheet.margin // 2)) + 12
         challenge, level = desk.session.level.challenge, desk.session.original
         free = {name: level.parameters[name] for name in (challenge.free if challenge else ())}
-        y += sheet.ask(y, free, desk.session.chosen, level_translation.of(level)).height
+        y += sheet.add_parameters(y, free, desk.session.chosen, level_translation.of(level)).height
         self._standing = sheet.image(self._draw_standing(), y + 4)
         self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
         self.button = sheet.button(
-            pygame.Rect((0, 0), (sheet.room(say(FIRST), say(ANOTHER)), sheet.px(HEIGHT))),
+            pygame.Rect((0, 0), (sheet.widest_button(say(FIRST), say(ANOTHER)), sheet.px(HEIGHT))),
             "",
             say("one hint more"),
         )
         caption = say("All challenges")
         self.others = sheet.button(
-            pygame.Rect((0, 0), (sheet.room(caption), sheet.px(HEIGHT))), caption,
+            pygame.Rect((0, 0), (sheet.widest_button(caption), sheet.px(HEIGHT))), caption,
             say("show the cards of all challenges"),
         )  # fmt: skip
         self.update()
 
-    def leads(self, button: object) -> str | None:
+    def command_of(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
         return "challenges" if button is self.others else None
 
@@ -71,7 +71,7 @@ class ChallengePage:
         if left:
             self.button.set_text(say(ANOTHER if self._shown_hints else FIRST))
         show(self.button, bool(left))
-        sheet.end(y + sheet.px(HEIGHT) + 8)
+        sheet.set_content_height(y + sheet.px(HEIGHT) + 8)
 
     @property
     def _all_hints(self) -> tuple[str, ...]:

@@ -15,5 +15,5 @@ PAGE = Page(
             "reset effects", "X", "reset the effects", lambda desk: whatif.reset(desk.session)
         ),
     ),
-    beside=whatif.rows,
+    superimposed_runs=whatif.rows,
 )

@@ -8,13 +8,13 @@ from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
 from sandbox.app.cards.card import label
-from sandbox.app.observing.running_checks import Ration
+from sandbox.app.observing.running_checks import TimeShare
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.companions import NONE
 from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
-from sandbox.app.widgets.widget_helpers import allow, press
+from sandbox.app.widgets.widget_helpers import set_enabled, show_pressed
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.levels_with_changed_effects import DEFAULTS
@@ -47,9 +47,11 @@ class EffectsPage:
             y = below(sheet.image(label(pen, width, say("try with")), y + 2)) + GAP
             y = self._row_of(added, y, adjustable=True)
         caption = say("Reset the effects")
-        reset = pygame.Rect(0, y + 4, sheet.room(caption), sheet.px(SWITCH))
+        reset = pygame.Rect(0, y + 4, sheet.widest_button(caption), sheet.px(SWITCH))
         self.reset = sheet.button(reset, caption, say("play the level as it is declared"))
-        self._ration: Ration[tuple[Difference, ...]] = Ration(lambda: whatif.compared(session), ())
+        self._ration: TimeShare[tuple[Difference, ...]] = TimeShare(
+            lambda: whatif.compared(session), ()
+        )
         self._world = session.world
         self._told = sheet.image(self._drawn(), y + sheet.px(SWITCH) + 14)
         self.update()
@@ -58,7 +60,7 @@ class EffectsPage:
         """Make rows of switches, as many in a row as fit, and return their lower end [px]."""
         sheet, px = self._sheet, self._sheet.px
         scales = [SCALES if adjustable and DEFAULTS[name] else {} for name in effects]
-        widths = [sheet.room(say(name)) for name in effects]
+        widths = [sheet.widest_button(say(name)) for name in effects]
         whole = (w + len(s) * px(SCALE) for w, s in zip(widths, scales, strict=True))
         for name, width, own, place in zip(
             effects, widths, scales, in_rows(whole, sheet.width, px(SWITCH), px(GAP)), strict=True
@@ -101,18 +103,18 @@ class EffectsPage:
             whatif.strengthen(self._session, *scale)
         else:
             whatif.change(self._session, NONE)
-        return say(LEFT) if self._session.changes.left else ""
+        return say(LEFT) if self._session.changes.replaced_scheme else ""
 
     def update(self) -> None:
         """Update the switches and the table of differences."""
         acting = self._session.level.effects.declared
         for name, button in self._switches.items():
-            press(button, name in acting)
+            show_pressed(button, name in acting)
         for button, (name, _) in self._scales.items():
-            allow(button, name in self._session.changes.on)
-        allow(self.reset, bool(self._session.changes))
+            set_enabled(button, name in self._session.changes.on)
+        set_enabled(self.reset, bool(self._session.changes))
         self._sheet.replace(self._told, self._drawn())
-        self._sheet.end(below(self._told) + 2)
+        self._sheet.set_content_height(below(self._told) + 2)
 
     def _drawn(self) -> pygame.Surface:
         session, pen, width = self._session, self._sheet.pen, self._sheet.width
@@ -120,7 +122,7 @@ class EffectsPage:
             return unchanged(pen, width)
         if session.world is not self._world:
             self._world = session.world
-            self._ration = Ration(lambda: whatif.compared(session), ())
+            self._ration = TimeShare(lambda: whatif.compared(session), ())
         found = self._ration(session.world.steps + 1, hurried=session.playing)
         cost = whatif.cost(session)
         words, disturbed = level_translation.of(session.original), session.world.disturbed

@@ -47,7 +47,7 @@ def change(session: Session, changes: Changes) -> None:
     Both runs have the same scheme, so that only the effects differ: the level's, or leapfrog if the
     changed level does not allow that.
     """
-    original = at_its_pace(session)
+    original = declared_with_present_stepping(session)
     if not (changes.off or changes.on):
         session.play_as(original)
         return
@@ -60,11 +60,11 @@ def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
     Raises `EffectError` if the changed level is invalid.
     """
     wanted = original.stepping.scheme
-    level, effects = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
+    level, effects = vary(with_scheme(original, "leapfrog"), changes.off, _settings(changes))
     left = wanted if original.stepping.is_composed and unsmooth(level) else None
     scheme = "leapfrog" if left else wanted
-    changes = replace(changes, effects=effects, left=left)
-    return stepped(original, scheme), stepped(level, scheme), changes
+    changes = replace(changes, effects=effects, replaced_scheme=left)
+    return with_scheme(original, scheme), with_scheme(level, scheme), changes
 
 
 def reset(session: Session) -> str:
@@ -83,7 +83,7 @@ def rows(session: Session) -> list[tuple[Color | None, str]]:
     return [(None, session.changes.label), (original.color, say(original.label))]
 
 
-def stepped(level: Level, scheme: Scheme) -> Level:
+def with_scheme(level: Level, scheme: Scheme) -> Level:
     """Return a level with another scheme."""
     stepping = level.stepping.model_copy(update={"scheme": scheme})
     return level.model_copy(update={"stepping": stepping})
@@ -95,7 +95,7 @@ def play_over(session: Session, original: Level, level: Level, changes: Changes)
     session.play_as(unjudged, [Variant(DECLARED, original, 0)], changes)
 
 
-def repace(session: Session, stepping: Stepping) -> None:
+def play_with_stepping(session: Session, stepping: Stepping) -> None:
     """Play with another stepping, together with the compared run; a race ends.
 
     Raises `SandboxError` if it cannot run; nothing is changed then.
@@ -103,18 +103,18 @@ def repace(session: Session, stepping: Stepping) -> None:
     pace = {"stepping": stepping}
     variants = (companion.variant for companion in session.companions if session.changes)
     beside = [replace(each, level=each.level.model_copy(update=pace)) for each in variants]
-    changes = replace(session.changes, left=None)
+    changes = replace(session.changes, replaced_scheme=None)
     session.play_as(session.begun_as.model_copy(update=pace), beside, changes)
 
 
-def at_its_pace(session: Session) -> Level:
+def declared_with_present_stepping(session: Session) -> Level:
     """Return the level as declared in its file, with the stepping of the present run.
 
     A scheme that was replaced because of an effect is restored.
     """
     stepping = session.world.stepping
     level = session.original.model_copy(update={"stepping": stepping})
-    return stepped(level, session.changes.left or stepping.scheme)
+    return with_scheme(level, session.changes.replaced_scheme or stepping.scheme)
 
 
 def _settings(changes: Changes) -> dict[str, Settings]:
@@ -149,7 +149,7 @@ def compared(session: Session) -> tuple[Difference, ...]:
 
 def cost(session: Session) -> float | None:
     """Return the cost of the change in each step [s], negative if it saves; None if unknown."""
-    own, other = session.clock.step, session.companions[0].clock.step
+    own, other = session.clock.step_time, session.companions[0].clock.step_time
     return None if own is None or other is None else own - other
 
 

@@ -73,7 +73,7 @@ def shown_as(level: Level, measure: str) -> str:
 def span_of(pen: Pen, width: int, level: Level, chosen: CurveChoice) -> Scale:
     """Return the horizontal scale of a curve with a width [px], over the parameter's range."""
     parameter = level.parameters[chosen.parameter]
-    return plot.across(pen, width, [np.array([parameter.min, parameter.max])])
+    return plot.horizontal_scale(pen, width, [np.array([parameter.min, parameter.max])])
 
 
 def nearest(points: Sequence[Point], at: float) -> Point | None:

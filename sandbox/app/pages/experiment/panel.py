@@ -114,7 +114,7 @@ class ExperimentPage:
             title.set_relative_position((self._sheet.margin, y))
             chooser.set_relative_position((self._sheet.margin, below(title)))
             y = int(chooser.relative_rect.bottom) + 8
-        self._sheet.end(y)
+        self._sheet.set_content_height(y)
 
     def _drawn(self) -> pygame.Surface:
         sheet = self._sheet

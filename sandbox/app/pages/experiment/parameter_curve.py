@@ -78,13 +78,13 @@ class CurveWorker(BackgroundTask):
             self._begun = True
             self._work.start(sample, session.resolved, session.values, *chosen)
             self.news = object()
-        self._look()
+        self._collect_results()
         return None
 
-    def _look(self) -> None:
+    def _collect_results(self) -> None:
         """Store new results."""
         was_running = self._work.running
-        for finding in self._work.found():
+        for finding in self._work.results():
             self.news = object()
             if isinstance(finding, SamplingRefusal):
                 self.failure = finding.reason

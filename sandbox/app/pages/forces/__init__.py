@@ -4,7 +4,7 @@ from sandbox.app.pages.page import Desk, Page, PageCommand, imported
 
 
 def _next_body(desk: Desk) -> None:
-    desk.session.looking.go_on(desk.session.level)
+    desk.session.looking.select_next(desk.session.level)
 
 
 PAGE = Page(

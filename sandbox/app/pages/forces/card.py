@@ -36,7 +36,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
     if found is None:
         card.text(say(NOT_YET if body else NOBODY), 13, theme.DIM)
         return card.drawn()
-    session.looking.tell(session.world, found)
+    session.looking.note_shown(session.world, found)
     if len(session.level.bodies) > 1:
         card.text(say("Click on another body (or key 9) to see its forces."), SIZE, theme.DIM)
         card.y += 4
@@ -70,14 +70,14 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         card,
         say("sum"),
         None,
-        _cell(forces_on_selection.cleared(found.net, found), first),
+        _cell(forces_on_selection.without_rounding(found.net, found), first),
         theme.RESULTANT,
     )
     _row(
         card,
         "m a",
         None,
-        _cell(forces_on_selection.cleared(found.mass_times_acceleration, found), first),
+        _cell(forces_on_selection.without_rounding(found.mass_times_acceleration, found), first),
         theme.RESULTANT,
     )
     if found.moment:

@@ -18,7 +18,7 @@ class Axes(IdleWorker):
         """If true, the first axis is along the surface that presses hardest on the body, or along
         its velocity if none does. If false, it is x."""
 
-    def turn(self) -> None:
+    def switch(self) -> None:
         """Switch to the other axes."""
         self.news, self.inclined = object(), not self.inclined
 

@@ -41,13 +41,13 @@ def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surfac
         end = start[0] + x * scale, start[1] + y * scale
         lines.arrow(surface, forces_on_selection.color(acting), start, end, WIDTH)
         for covered in _along(start, end):
-            labels.take(covered)
+            labels.occupy(covered)
         ends.append((text, forces_on_selection.color(acting), start, end))
     pygame.draw.aacircle(surface, theme.TEXT, center, 5)
-    labels.take(pygame.Rect(center[0] - 7, center[1] - 7, 14, 14))
+    labels.occupy(pygame.Rect(center[0] - 7, center[1] - 7, 14, 14))
     for text, color, start, end in ends:
         if hypot(end[0] - start[0], end[1] - start[1]) >= SHORTEST:
-            _tell(surface, pen.write(text, 12, color), color, labels, start, end)
+            _place_label(surface, pen.write(text, 12, color), color, labels, start, end)
     return surface
 
 
@@ -56,13 +56,13 @@ def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
 
     Forces along one line are drawn side by side, since they would cover each other.
     """
-    surface, forces = _sheet(size), forces_on_selection.felt(found)
+    surface, forces = _sheet(size), forces_on_selection.not_negligible(found)
     corners = [(0.0, 0.0)]
     for acting in forces:
         x, y = corners[-1]
         corners.append((x + acting.force[0], y - acting.force[1]))
     low_x, high_x, low_y, high_y = _extent(corners)
-    aside = _aside(forces)
+    aside = _separation_direction(forces)
     spread = APART * len(forces) if aside else 0.0
     free = CLOSE[0] + spread / 2, CLOSE[1] + spread / 2
     scale = _scale(size, free, high_x - low_x, high_y - low_y)
@@ -81,7 +81,7 @@ def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
             lines.dashed(surface, theme.AXIS, (pixel(i, i - 1), pixel(i, i)), 2, 2)
     last = len(forces)
     start, end = pixel(0, last if aside else 0), pixel(last, last if aside else 0)
-    net = hypot(*forces_on_selection.cleared(found.net, found))
+    net = hypot(*forces_on_selection.without_rounding(found.net, found))
     if net:
         lines.arrow(surface, theme.RESULTANT, start, end, WIDTH + 1)
     message = say("sum {force} N", force=forces_on_selection.newtons(net))
@@ -113,7 +113,7 @@ def _before(vectors: Sequence[XY], place: int) -> int:
     return sum(abs((turn + pi) % (2 * pi) - pi) < SIMILAR for turn in turns)
 
 
-def _aside(forces: Sequence[AppliedForce]) -> XY | None:
+def _separation_direction(forces: Sequence[AppliedForce]) -> XY | None:
     """Return the direction in which arrows along one line are separated; None if they are not."""
     longest = max(forces, key=lambda acting: acting.magnitude, default=None)
     if longest is None or len(forces) < 2 or not longest.magnitude:
@@ -131,7 +131,7 @@ def _along(start: XY, end: XY) -> Iterator[pygame.Rect]:
         yield pygame.Rect(round(x) - 4, round(y) - 4, 8, 8)
 
 
-def _tell(
+def _place_label(
     surface: pygame.Surface, image: pygame.Surface, color: Color, labels: Labels, start: XY,
     end: XY,
 ) -> None:  # fmt: skip
@@ -149,18 +149,18 @@ def _tell(
         places += [(x, y - image.height), (x, y + image.height)]
     bounds = surface.get_rect()
     rects = (image.get_rect(center=place).clamp(bounds) for place in places)
-    if found := labels.find(rects):
+    if found := labels.place_for(rects):
         surface.blit(image, found)
         return
-    for x, y, place in _further_off(image, start, end):
-        if found := labels.find([place.clamp(bounds)]):
+    for x, y, place in _places_off_arrow(image, start, end):
+        if found := labels.place_for([place.clamp(bounds)]):
             nearest = min(max(x, found.left), found.right), min(max(y, found.top), found.bottom)
             pygame.draw.aaline(surface, color, (x, y), nearest)
             surface.blit(image, found)
             return
 
 
-def _further_off(
+def _places_off_arrow(
     image: pygame.Surface, start: XY, end: XY
 ) -> Iterator[tuple[float, float, pygame.Rect]]:
     """Yield points of an arrow, each with a place further off, the nearest first [px]."""

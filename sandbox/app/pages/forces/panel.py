@@ -12,7 +12,7 @@ from sandbox.app.pages.forces.component_axes import Axes
 from sandbox.app.pages.page import Desk
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
-from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.widgets.widget_helpers import show_pressed
 from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a button
@@ -48,9 +48,9 @@ class ForcesPage:
             for each, place in zip(switched, places, strict=True)
         }
         self._update_buttons()
-        sheet.end(self._place(below(self._image) + 4))
+        sheet.set_content_height(self._place(below(self._image) + 4))
 
-    def leads(self, button: object) -> str | None:
+    def command_of(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
         pressed = (name for name, each in self._overlays.items() if each is button)
         return "observe" if button is self.observer else next(pressed, None)
@@ -70,7 +70,7 @@ class ForcesPage:
         for button, inclined in self._buttons:
             if event.ui_element is button:
                 if self._axes.inclined is not inclined:
-                    self._axes.turn()
+                    self._axes.switch()
                 return ""
         return None
 
@@ -80,18 +80,18 @@ class ForcesPage:
         self._sheet.replace(self._image, self._drawn())
         y = below(self._image) + 4
         if y != self._title.relative_rect.y:
-            self._sheet.end(self._place(y))
+            self._sheet.set_content_height(self._place(y))
 
     def _update_buttons(self) -> None:
         for button, inclined in self._buttons:
-            press(button, self._axes.inclined is inclined)
+            show_pressed(button, self._axes.inclined is inclined)
         for name, button in self._overlays.items():
-            press(button, self._shown[name])
+            show_pressed(button, self._shown[name])
 
     def _rows(self, captions: Iterable[str]) -> Iterator[pygame.Rect]:
         """Return the places of buttons in rows, below each other [px]."""
         sheet = self._sheet
-        return in_rows(map(sheet.room, captions), sheet.width, sheet.px(HEIGHT), GAP)
+        return in_rows(map(sheet.widest_button, captions), sheet.width, sheet.px(HEIGHT), GAP)
 
     def _place(self, y: int) -> int:
         """Place what is below the diagram, from a height on, and return the height of its end."""

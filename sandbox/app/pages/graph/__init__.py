@@ -7,7 +7,7 @@ PAGE = Page(
     caption="Graph",
     key="d",
     text="graphs of any quantity against any other",
-    recalls=True,
+    shows_recorded_states=True,
     panel=imported("sandbox.app.pages.graph.panel", "GraphPage"),
     worker=imported("sandbox.app.pages.graph.chosen_quantities", "Choice"),
 )

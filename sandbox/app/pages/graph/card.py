@@ -11,7 +11,7 @@ from sandbox.app.cards.card import GAP, Card
 from sandbox.app.drawing import line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.earlier_runs import alike
+from sandbox.app.observing.earlier_runs import have_same_bodies
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.runs.session import Session
@@ -59,14 +59,14 @@ def graphs(
     columns, units = so_far(session, names)
     earlier, later = _other_runs(session, names)
     shown = later if later and cursor and cursor > columns[across].max() else columns
-    span = zoom.on(span_of(pen, width, session, across))
+    span = zoom.visible_scale(span_of(pen, width, session, across))
     mark = float(columns[across][-1]) if later and cursor is None else cursor
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
         _values(card, shown, these, up, units, across, cursor, trust)
-        others = [*_faint(earlier, these, across), *_ahead(later, these, up, across)]
-        closed = _closed(session, columns, these, up, across)
-        series = [*others, *closed, *_own(columns, these, up, across)]
+        others = [*_earlier_lines(earlier, these, across), *_later_lines(later, these, up, across)]
+        closed = _closed_form_lines(session, columns, these, up, across)
+        series = [*others, *closed, *_own_lines(columns, these, up, across)]
         found.append(_put(card, series, span, mark, (units[across], unit), zoom, page))
     message = say(
         "against {quantity}", quantity=formatting.with_unit_in_brackets(across, units[across])
@@ -82,7 +82,9 @@ def _put(
     """Draw the visible part of the lines of one unit, and return their graph."""
     pen, (least, most) = card.pen, map(card.pen.px, HEIGHTS)
     size = card.width, int(min(max(page - pen.px(ROOM), least), most))
-    rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), units[1])
+    rise = zoom.visible_scale(
+        plot.vertical_scale(pen, size[1], [each.y for each in series]), units[1]
+    )
     graph = Graph(units[1], pygame.Rect((0, card.y), size), span, rise)
     card.put(plot.draw(pen, size, series, span, mark, rise, units), 0)
     card.y += size[1] + GAP
@@ -103,13 +105,13 @@ def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
     runs = [(run.world, run.history) for run in session.earlier]
     runs += [(run.world, run.history) for run in (session.later,) if run]
     others = [measured(*run, [across])[0][across] for run in runs]
-    return plot.across(pen, width, [so_far(session, [across])[0][across], *others])
+    return plot.horizontal_scale(pen, width, [so_far(session, [across])[0][across], *others])
 
 
 def so_far(session: Session, names: Sequence[str]) -> tuple[Mapping[str, Array], Mapping[str, str]]:
     """Return quantities up to the shown state, (k,) each, and their units."""
     run = session.recalled
-    if run is None or not alike(run.world, session.world):
+    if run is None or not have_same_bodies(run.world, session.world):
         return measured(session.world, session.history, names)
     columns, units = measured(run.world, run.history, names)
     count = np.searchsorted(run.history.snapshots.t, float(run.world.snapshot.t), side="right")
@@ -172,15 +174,15 @@ def value_at(column: Array, row: int) -> float:
     return formatting.without_rounding(float(column[row]), float(largest))
 
 
-def _own(
+def _own_lines(
     columns: Mapping[str, Array], these: Sequence[str], up: Sequence[str], across: str
 ) -> Iterator[Series]:
     """Yield the lines of the shown run."""
     for name in these:
-        yield Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
+        yield Series(_color(name, up), columns[across], columns[name], marker=_sign(name, up))
 
 
-def _faint(
+def _earlier_lines(
     earlier: Sequence[Mapping[str, Array]], these: Sequence[str], across: str
 ) -> Iterator[Series]:
     """Yield the lines of earlier runs."""
@@ -189,7 +191,7 @@ def _faint(
         yield from (Series(color, columns[across], columns[name]) for name in these)
 
 
-def _ahead(
+def _later_lines(
     later: Mapping[str, Array] | None, these: Sequence[str], up: Sequence[str], across: str
 ) -> Iterator[Series]:
     """Yield the lines of the run after the shown step, as far as known."""
@@ -198,7 +200,7 @@ def _ahead(
         yield Series(theme.faded(_color(name, up), 0.5), later[across], later[name])
 
 
-def _closed(
+def _closed_form_lines(
     session: Session, columns: Mapping[str, Array], these: Sequence[str], up: Sequence[str],
     across: str,
 ) -> Iterator[Series]:  # fmt: skip

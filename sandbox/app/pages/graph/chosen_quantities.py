@@ -68,13 +68,13 @@ class Choice(BackgroundTask):
     def against(self, session: Session, name: str) -> None:
         """Choose the horizontal quantity, and reset the zoom."""
         self._across[session.original.title] = name
-        self.look(session, WHOLE)
+        self.set_zoom(session, WHOLE)
 
     def zoom(self, session: Session) -> Zoom:
         """Return the visible part of the graphs: at first, the whole."""
         return self._zooms.get(session.original.title, WHOLE)
 
-    def look(self, session: Session, zoom: Zoom) -> None:
+    def set_zoom(self, session: Session, zoom: Zoom) -> None:
         """Change the visible part of the graphs."""
         self._zooms[session.original.title] = zoom
         self.news = object()
@@ -86,7 +86,7 @@ class Choice(BackgroundTask):
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Return the message with the picture's path once it is saved."""
-        return next(iter([*self._work.found()][-1:]), None)
+        return next(iter([*self._work.results()][-1:]), None)
 
 
 def _changes(check: Check) -> bool:

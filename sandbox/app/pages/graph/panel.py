@@ -14,7 +14,7 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app.cards.card import heading
 from sandbox.app.drawing import theme
-from sandbox.app.pages.accuracy.background_study import Studying
+from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.chosen_quantities import Choice, offered, words_for_search
 from sandbox.app.pages.graph.figure import figure
@@ -38,7 +38,7 @@ class GraphPage:
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
-        self._choice, self._studying = desk.worker(Choice), desk.worker(Studying)
+        self._choice, self._studying = desk.worker(Choice), desk.worker(BackgroundStudy)
         self._cursor: float | None = None
         self._zooming = Zooming(self._choice.zoom(desk.session))
         names = self._names = offered(desk.session.level)
@@ -75,7 +75,7 @@ class GraphPage:
             return self._zoomed(self._zooming.move(self._inside(event.pos)))
         kinds = (UI_SELECTION_LIST_NEW_SELECTION, UI_SELECTION_LIST_DROPPED_SELECTION)
         if event.type == UI_TEXT_ENTRY_CHANGED and event.ui_element is self.sought:
-            self._seek()
+            self._list_matches()
             return None
         if event.type not in kinds:
             return None
@@ -133,7 +133,7 @@ class GraphPage:
     def _save_table(self) -> str:
         session, choice = self._session, self._choice
         up, across = choice.up(session), choice.across(session)
-        path = saving.graphed(session, up, across, choice.zoom(session).across)
+        path = saving.graph_table(session, up, across, choice.zoom(session).across)
         return say("saved {path}", path=path)
 
     def _save_picture(self) -> str:
@@ -148,7 +148,7 @@ class GraphPage:
         """Return the position of a pixel of the window in the picture of the graphs."""
         return pixel[0] - self._graphs.rect.x, pixel[1] - self._graphs.rect.y
 
-    def _seen(self, pixel: tuple[int, int]) -> bool:
+    def _is_visible_at(self, pixel: tuple[int, int]) -> bool:
         """Return whether the graphs are visible at a pixel of the window."""
         seen = self._sheet.container.rect.collidepoint(pixel)
         return seen and bool(self._graphs.rect.collidepoint(pixel))
@@ -159,7 +159,9 @@ class GraphPage:
             return self._zooming.release()
         shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
         inside = self._inside(event.pos)
-        return self._seen(event.pos) and self._zooming.press(inside, event.button, shifted=shifted)
+        return self._is_visible_at(event.pos) and self._zooming.press(
+            inside, event.button, shifted=shifted
+        )
 
     def _go_to_click(self) -> None:
         """Go to the time that was clicked on, if there is one."""
@@ -173,7 +175,7 @@ class GraphPage:
         """Zoom about the mouse, if it is over a graph, and return whether it is."""
         shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
         inside = self._inside(pixel)
-        over = self._seen(pixel) and self._zooming.wheel(notches, inside, shifted=shifted)
+        over = self._is_visible_at(pixel) and self._zooming.wheel(notches, inside, shifted=shifted)
         return self._zoomed(over) is not None
 
     def home(self) -> bool:
@@ -186,11 +188,11 @@ class GraphPage:
         """Redraw if the visible part has changed; return an empty message then, else None."""
         if not changed:
             return None
-        self._choice.look(self._session, self._zooming.zoom)
+        self._choice.set_zoom(self._session, self._zooming.zoom)
         self.update()
         return ""
 
-    def _seek(self) -> None:
+    def _list_matches(self) -> None:
         """List the names that contain all typed words, with the chosen ones marked."""
         words = self.sought.get_text().casefold().split()
         found = [name for name in self._names if all(w in words_for_search(name) for w in words)]
@@ -214,7 +216,7 @@ class GraphPage:
         if place.collidepoint(pixel) and self._choice.up(self._session):
             across = self._choice.across(self._session)
             span = span_of(self._sheet.pen, self._sheet.width, self._session, across)
-            span = self._zooming.zoom.on(span)
+            span = self._zooming.zoom.visible_scale(span)
             value = span.value(pixel[0] - place.x)
             self._cursor = min(max(value, span.low), span.high)
         if self._cursor != before:
@@ -240,7 +242,7 @@ class GraphPage:
                 y += self._sheet.px(FIELD) + 2
             chooser.set_relative_position((self._sheet.margin, y))
             y += height + 8
-        sheet.end(self._put_rows(y) if low else y)
+        sheet.set_content_height(self._put_rows(y) if low else y)
 
     def _put_rows(self, y: int) -> int:
         """Place the rows of buttons, and return the height of what comes below them [px]."""

@@ -45,16 +45,16 @@ class Zoom:
     def __bool__(self) -> bool:
         return self.across is not None or bool(self.up)
 
-    def on(self, scale: Scale, unit: str | None = None) -> Scale:
+    def visible_scale(self, scale: Scale, unit: str | None = None) -> Scale:
         """Return a scale with the visible interval; without a unit, that of the shared axis."""
         interval = self.across if unit is None else self.up.get(unit)
         return scale if interval is None else scale._replace(low=interval[0], high=interval[1])
 
-    def along(self, interval: Interval) -> "Zoom":
+    def with_interval(self, interval: Interval) -> "Zoom":
         """Return the zoom with another interval of the shared axis."""
         return replace(self, across=interval)
 
-    def upwards(self, unit: str, interval: Interval) -> "Zoom":
+    def with_vertical_interval(self, unit: str, interval: Interval) -> "Zoom":
         """Return the zoom with another interval of a unit's axis."""
         return replace(self, up={**self.up, unit: interval})
 
@@ -62,12 +62,12 @@ class Zoom:
 WHOLE = Zoom()
 
 
-def about(scale: Scale, value: float, factor: float) -> Interval:
+def scaled_about(scale: Scale, value: float, factor: float) -> Interval:
     """Return an axis' interval scaled about a fixed value."""
     return value - (value - scale.low) * factor, value + (scale.high - value) * factor
 
 
-def moved(scale: Scale, by: float) -> Interval:
+def shifted_by(scale: Scale, by: float) -> Interval:
     """Return an axis' interval shifted by a value."""
     return scale.low + by, scale.high + by
 
@@ -113,11 +113,11 @@ class Zooming:
         graph = self._on
         if self._panning:
             sides, rises = graph.across, graph.up
-            across = moved(sides, sides.value(0) - sides.value(dx))
-            self.zoom = self._before.along(across)
+            across = shifted_by(sides, sides.value(0) - sides.value(dx))
+            self.zoom = self._before.with_interval(across)
             if abs(dy) >= CLICK:
-                up = moved(rises, rises.value(0) - rises.value(dy))
-                self.zoom = self.zoom.upwards(graph.unit, up)
+                up = shifted_by(rises, rises.value(0) - rises.value(dy))
+                self.zoom = self.zoom.with_vertical_interval(graph.unit, up)
         elif max(abs(dx), abs(dy)) >= CLICK:
             self.box = self._marked(graph, dx, dy)
         return True
@@ -147,9 +147,9 @@ class Zooming:
         if box is not None and box.width and box.height:
             local = box.move(-graph.place.x, -graph.place.y)
             across, up = graph.across, graph.up
-            self._look(graph, "across", (across.value(local.left), across.value(local.right)))
+            self._show(graph, "across", (across.value(local.left), across.value(local.right)))
             if local.height < round(up.start) - round(up.end):
-                self._look(graph, "up", (up.value(local.bottom), up.value(local.top)))
+                self._show(graph, "up", (up.value(local.bottom), up.value(local.top)))
         return True
 
     def wheel(self, notches: float, pixel: tuple[int, int], *, shifted: bool) -> bool:
@@ -160,10 +160,10 @@ class Zooming:
         factor = NOTCH**notches
         if shifted:
             value = graph.up.value(pixel[1] - graph.place.y)
-            self._look(graph, "up", about(graph.up, value, factor))
+            self._show(graph, "up", scaled_about(graph.up, value, factor))
         else:
             value = graph.across.value(pixel[0] - graph.place.x)
-            self._look(graph, "across", about(graph.across, value, factor))
+            self._show(graph, "across", scaled_about(graph.across, value, factor))
         return True
 
     def step(self, factor: float = 1.0, shift: float = 0.0) -> None:
@@ -171,16 +171,16 @@ class Zooming:
         if self.graphs:
             scale = self.graphs[0].across
             middle, spread = (scale.low + scale.high) / 2, scale.high - scale.low
-            low, high = about(scale, middle, factor)
+            low, high = scaled_about(scale, middle, factor)
             interval = low + shift * spread, high + shift * spread
-            self._look(self.graphs[0], "across", interval)
+            self._show(self.graphs[0], "across", interval)
 
-    def _look(self, graph: Graph, axis: str, interval: Interval) -> None:
+    def _show(self, graph: Graph, axis: str, interval: Interval) -> None:
         """Show an interval of an axis, unless it is too short for floating-point numbers."""
         low, high = interval
         if high - low <= CLOSEST * max(abs(low), abs(high), 1e-300):
             return
         if axis == "across":
-            self.zoom = self.zoom.along(interval)
+            self.zoom = self.zoom.with_interval(interval)
         else:
-            self.zoom = self.zoom.upwards(graph.unit, interval)
+            self.zoom = self.zoom.with_vertical_interval(graph.unit, interval)

@@ -12,7 +12,7 @@ from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet, below
-from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.widgets.widget_helpers import show_pressed
 from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 
@@ -36,14 +36,16 @@ class LevelPage:
         y = below(sheet.image(header(pen, width, level), sheet.margin // 2)) + 8
         if level.parameters:
             y = below(sheet.image(heading(pen, width, say("Parameters")), y))
-        y += sheet.ask(y, level.parameters, desk.session.chosen, level_translation.of(level)).height
+        y += sheet.add_parameters(
+            y, level.parameters, desk.session.chosen, level_translation.of(level)
+        ).height
         self.onwards: UIButton | None = None
         if level.parameters:
             place = pygame.Rect(0, y + 4, width, sheet.px(SWITCH))
             self.onwards = sheet.button(place, say("Changes act from now on"), say(TIP))
             y += sheet.px(SWITCH) + 6
         self._checks = sheet.checks = sheet.image(self._drawn(), y + 8)
-        sheet.end(below(self._checks) + 2)
+        sheet.set_content_height(below(self._checks) + 2)
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Switch between changes from now on and from the start."""
@@ -54,9 +56,9 @@ class LevelPage:
     def update(self) -> None:
         """Update the parameters and the checks."""
         if self.onwards is not None:
-            press(self.onwards, self._session.branches)
+            show_pressed(self.onwards, self._session.branches)
         self._sheet.replace(self._checks, self._drawn())
-        self._sheet.end(below(self._checks) + 2)
+        self._sheet.set_content_height(below(self._checks) + 2)
         self._sheet.parameters.show(self._session.chosen)
 
     def _drawn(self) -> pygame.Surface:
@@ -76,9 +78,9 @@ class LevelPage:
         """Return the two parts of the errors; none before the first step, when nothing is off."""
         if not self._session.world.steps:
             return NOTHING
-        from sandbox.app.pages.accuracy.background_study import Studying
+        from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 
-        return self._desk.worker(Studying).splits(self._session)
+        return self._desk.worker(BackgroundStudy).splits(self._session)
 
 
 def turn(session: Session) -> str:

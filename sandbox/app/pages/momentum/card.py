@@ -37,7 +37,10 @@ def bodies(world: World, place: str | None = None) -> list[Momentum]:
 
     They are as seen from a place, see `Observer`.
     """
-    found, every = momentum_scale.heavy(world), momentum_scale.momenta(world, world.snapshot, place)
+    found, every = (
+        momentum_scale.bodies_with_momentum(world),
+        momentum_scale.momenta(world, world.snapshot, place),
+    )
     each = {row: Momentum(formatting.name_in_words(name), every[row]) for row, name in found}
     if len(found) <= MOST:
         return [*each.values()]
@@ -52,7 +55,7 @@ def bodies(world: World, place: str | None = None) -> list[Momentum]:
     ]
 
 
-def given(session: Session) -> list[Momentum]:
+def explained_change(session: Session) -> list[Momentum]:
     """Return the change of the total, and the external impulses that explain it."""
     books = session.books.balance
     impulses = [Momentum(say(name), value[:2]) for name, value in books.impulse.items()]
@@ -95,7 +98,7 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     card.text(session.books.covered, 12, theme.DIM)
     if place is not None:  # an accelerated observer sees changes that no impulse explains
         card.text(seen_from(None), 12, theme.NOTICE)
-    _add_table(card, given(session), scale)
+    _add_table(card, explained_change(session), scale)
     return card.drawn()
 
 

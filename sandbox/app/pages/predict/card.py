@@ -38,13 +38,13 @@ def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.S
     return card.drawn()
 
 
-def asked(
+def question_text(
     pen: Pen, width: int, question: Check, title: str, unit: str, since: float | None
 ) -> pygame.Surface:
     """Draw a question by its title.
 
     While it is open, `since` is the time at which the run waits [s], and the possible forms of an
-    answer are told.
+    answer are listed.
     """
     card = Card(pen, width)
     card.heading(say("Your prediction"))
@@ -62,7 +62,7 @@ def asked(
     return card.drawn()
 
 
-def refused(pen: Pen, width: int, refusal: str) -> pygame.Surface:
+def refusal_text(pen: Pen, width: int, refusal: str) -> pygame.Surface:
     """Draw the reason why a typed text is no answer, or how to answer."""
     card = Card(pen, width)
     if refusal:
@@ -106,8 +106,8 @@ def _compared(card: Card, outcome: Outcome) -> None:
     heads = ("", say("value"), say("differs by"))
     card.columns([(head, theme.DIM) for head in heads], 12)
     rows = [
-        (say("prediction"), outcome.predicted, _apart(outcome, outcome.predicted)),
-        (say("formula"), outcome.formula, _apart(outcome, outcome.formula)),
+        (say("prediction"), outcome.predicted, _difference(outcome, outcome.predicted)),
+        (say("formula"), outcome.formula, _difference(outcome, outcome.formula)),
         (say("simulation"), outcome.simulated, _asked_at(outcome)),
     ]
     for name, value, apart in rows:
@@ -122,11 +122,11 @@ def _asked_at(outcome: Outcome) -> str:
     return "" if outcome.t is None else say("at {t}", t=formatting.seconds(outcome.t))
 
 
-def _apart(outcome: Outcome, value: float | None) -> str:
+def _difference(outcome: Outcome, value: float | None) -> str:
     """Return the difference of a value from the simulated one; empty without a value."""
     if value is None:
         return ""
-    apart = outcome.apart(value)
+    apart = outcome.difference(value)
     if abs(apart) < 1e-9:
         return say("equal")
     far = formatting.share(apart) if outcome.scale else formatting.quantity(apart, outcome.unit, 3)
@@ -168,13 +168,13 @@ def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
         card.text(say("then that never happens"), 13, indent=card.indent)
         return
     value = outcome.simulated + trial.after - trial.before
-    change = _apart(outcome, value)
+    change = _difference(outcome, value)
     card.columns(
         [(say("would make it"), theme.DIM), (formatting.quantity(value, outcome.unit), theme.TEXT),
          (change, theme.TEXT)], 13,
     )  # fmt: skip
-    off = outcome.apart(outcome.predicted)
-    explained = outcome.apart(value) / off if abs(off) > LIMITS[0] else 0.0
+    off = outcome.difference(outcome.predicted)
+    explained = outcome.difference(value) / off if abs(off) > LIMITS[0] else 0.0
     if 0.05 <= explained < 2:  # beyond, the prediction is closer to the run without it
         message = say("accounts for {share:.0f} % of your difference", share=100 * explained)
         card.text(message, 12, theme.NOTICE, indent=card.indent)

@@ -43,12 +43,12 @@ class PredictPage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         self._predicting = desk.worker(PredictionWorker)
-        self._predicting.turn_to(desk.session)
+        self._predicting.forget_other_sessions(desk.session)
         self._questions: tuple[Check, ...] = ()
         self._head = sheet.image(self._drawn_head(), sheet.margin // 2)
         self.list = self._listed([])
         self.button = sheet.button(
-            pygame.Rect((0, 0), (sheet.room(*map(say, CAPTIONS)), sheet.px(HEIGHT))),
+            pygame.Rect((0, 0), (sheet.widest_button(*map(say, CAPTIONS)), sheet.px(HEIGHT))),
             "", say(TIPS[PREDICT]),
         )  # fmt: skip
         place = pygame.Rect(sheet.margin, 0, sheet.width - sheet.px(UNIT), sheet.px(FIELD))
@@ -71,7 +71,7 @@ class PredictPage:
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.button:
             return None
         if predicting.question is not None:
-            predicting.put_off()
+            predicting.withdraw()
             return ""
         chosen = self._chosen
         if chosen is not None:
@@ -130,7 +130,7 @@ class PredictPage:
         y = self._put(self._result, y, shown=answered)
         self._name_button()
         y = self._put(self.button, y, shown=question is not None or bool(self._questions))
-        sheet.end(y)
+        sheet.set_content_height(y)
 
     def _offer(self) -> None:
         """List the questions about the present level."""
@@ -170,7 +170,7 @@ class PredictPage:
         unit = unit_of(question, self._session.level)
         name = level_translation.title(question, level_translation.of(self._session.original))
         since = self._session.t if self._open else None
-        return card.asked(pen, width, question, name, unit, since)
+        return card.question_text(pen, width, question, name, unit, since)
 
     def _drawn_unit(self) -> pygame.Surface:
         question = self._predicting.question
@@ -178,7 +178,7 @@ class PredictPage:
         return self._sheet.pen.write(unit or " ", 14, theme.TEXT)
 
     def _drawn_refusal(self) -> pygame.Surface:
-        return card.refused(self._sheet.pen, self._sheet.width, self._predicting.refusal)
+        return card.refusal_text(self._sheet.pen, self._sheet.width, self._predicting.refusal)
 
     def _drawn_result(self) -> pygame.Surface:
         predicting = self._predicting

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from sandbox.app.background import BackgroundTask
-from sandbox.app.observing.running_checks import Ration
+from sandbox.app.observing.running_checks import TimeShare
 from sandbox.app.pages.predict.neglected_effects import Trial, TrialProgress, trials
 from sandbox.app.pages.predict.prediction_outcome import Outcome, judged
 from sandbox.app.pages.predict.questions import questions, unit_of
@@ -49,7 +49,7 @@ class PredictionWorker(BackgroundTask):
         self._world: object = None  # the run that is judged
         self.news = object()
 
-    def turn_to(self, session: Session) -> None:
+    def forget_other_sessions(self, session: Session) -> None:
         """Forget what was asked in any other session: its level need not have the quantity."""
         if session is not self._session:
             self._forget()
@@ -64,9 +64,9 @@ class PredictionWorker(BackgroundTask):
         self._forget()
         self._session, self.question, self._values = session, question, session.values
         session.playing = False
-        self._hold(session, question)
+        self._lock(session, question)
 
-    def _hold(self, session: Session, question: Check) -> None:
+    def _lock(self, session: Session, question: Check) -> None:
         """Lock the run at its present step, or at its start; if it is seeking, once it arrives."""
         if session.sought is None:
             if _is_known(question, session):
@@ -74,7 +74,7 @@ class PredictionWorker(BackgroundTask):
             session.locked, self.news = True, object()
         self._world = session.world
 
-    def put_off(self) -> None:
+    def withdraw(self) -> None:
         """Withdraw the question, and unlock the run."""
         self._forget()
 
@@ -95,7 +95,7 @@ class PredictionWorker(BackgroundTask):
 
     def _judge_from_now_on(self, session: Session, question: Check, predicted: float) -> None:
         self._world, self.outcome = session.world, None
-        self._ration: Ration[Outcome | None] = Ration(
+        self._ration: TimeShare[Outcome | None] = TimeShare(
             lambda: judged(
                 question, session.trace, predicted, formula_holds=not session.world.disturbed
             ),
@@ -104,27 +104,27 @@ class PredictionWorker(BackgroundTask):
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Keep the run locked, or judge it; return a message for the user, or None."""
-        self.turn_to(session)
+        self.forget_other_sessions(session)
         if self.question is None:
             return None
         if session.world is not self._world and self._outdated(session):
             self._forget()
             return say(CHANGED)
         if self.predicted is None:
-            return self._keep(session, self.question, watched=watched)
+            return self._keep_locked(session, self.question, watched=watched)
         if session.world is not self._world:
             self._judge_from_now_on(session, self.question, self.predicted)
         self._judge(session)
         if self.outcome and self.outcome.formula is not None and watched and not self._tried:
             self._try(session)
-        self._look()
+        self._collect_results()
         return None
 
     def _outdated(self, session: Session) -> bool:
         current = questions(session.level, session.values)
         return session.values != self._values or self.question not in current
 
-    def _keep(self, session: Session, question: Check, *, watched: bool) -> str | None:
+    def _keep_locked(self, session: Session, question: Check, *, watched: bool) -> str | None:
         """Keep the run locked while the page is shown."""
         if not watched:
             self._forget()
@@ -132,7 +132,7 @@ class PredictionWorker(BackgroundTask):
         if session.locked:
             self._world = session.world
         else:
-            self._hold(session, question)
+            self._lock(session, question)
         if session.playing:
             session.playing = False
             return say(FIRST)
@@ -149,10 +149,10 @@ class PredictionWorker(BackgroundTask):
         self._work.start(trials, session.resolved, session.values, self.question)
         self.trying, self.news = TrialProgress("", 0.0), object()
 
-    def _look(self) -> None:
+    def _collect_results(self) -> None:
         """Store new results."""
         was_running = self._work.running
-        for finding in self._work.found():
+        for finding in self._work.results():
             self.news = object()
             if isinstance(finding, TrialProgress):
                 self.trying = finding

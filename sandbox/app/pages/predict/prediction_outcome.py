@@ -33,14 +33,14 @@ class Outcome:
     t: float | None = None
     """The time of the measurement [s]."""
 
-    def apart(self, value: float) -> float:
+    def difference(self, value: float) -> float:
         """Return the difference of a value from the simulated one, relative if possible."""
         return (value - self.simulated) / (self.scale or 1.0)
 
     @property
     def limit(self) -> float | None:
         """The smallest of `LIMITS` within which the prediction is; None if there is none."""
-        off = abs(self.apart(self.predicted))
+        off = abs(self.difference(self.predicted))
         return next((limit for limit in LIMITS if off <= limit * (1 + 1e-9)), None)
 
     @property

@@ -18,5 +18,5 @@ PAGE = Page(
             lambda desk: scheme_comparison.start_or_end(desk.session),
         ),
     ),
-    beside=scheme_comparison.rows,
+    superimposed_runs=scheme_comparison.rows,
 )

@@ -20,7 +20,7 @@ class RacePage:
         self._sheet, self._session = sheet, desk.session
         y = below(sheet.image(race_intro(sheet.pen, sheet.width), sheet.margin // 2)) + 8
         self.button = sheet.button(
-            pygame.Rect((0, y), (sheet.room(say(RACE), say(END)), sheet.px(HEIGHT))),
+            pygame.Rect((0, y), (sheet.widest_button(say(RACE), say(END)), sheet.px(HEIGHT))),
             "",
             say("every scheme at once (S)"),
         )
@@ -40,7 +40,7 @@ class RacePage:
         if self.button.text != text:
             self.button.set_text(text)
         self._sheet.replace(self._table, self._drawn())
-        self._sheet.end(below(self._table) + 2)
+        self._sheet.set_content_height(below(self._table) + 2)
 
     def _drawn(self) -> pygame.Surface:
         return standing(self._sheet.pen, self._sheet.width, self._session)

@@ -10,7 +10,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.companions import Variant, worst
 from sandbox.app.runs.session import Session
-from sandbox.app.runs.step_timer import Clock
+from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
@@ -48,7 +48,7 @@ def toggle(session: Session) -> None:
 
     Raises `SandboxError` if one of them cannot run; nothing is changed then.
     """
-    original = whatif.at_its_pace(session)
+    original = whatif.declared_with_present_stepping(session)
     session.play_as(original, [] if racing(session) else rivals(original, session.chosen))
 
 
@@ -65,7 +65,7 @@ def _forms(level: Level, values: Values) -> Iterator[Level]:
     for scheme in usable(level):
         if scheme == level.stepping.scheme:
             continue
-        form = whatif.stepped(level, scheme)
+        form = whatif.with_scheme(level, scheme)
         with suppress(SandboxError):  # its steps may be too large
             build(form, values)
             yield form
@@ -86,8 +86,8 @@ def lanes(session: Session) -> list[Lane]:
     )]  # fmt: skip
 
 
-def _cost(clock: Clock, rate: float) -> float | None:
-    return None if clock.step is None else clock.step * rate
+def _cost(clock: StepTimer, rate: float) -> float | None:
+    return None if clock.step_time is None else clock.step_time * rate
 
 
 def start_or_end(session: Session) -> str:

@@ -15,7 +15,7 @@ from sandbox.app.files import preferences
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
-from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.widgets.widget_helpers import show_pressed
 from sandbox.app.words import language
 from sandbox.app.words.language import say, say_in
 
@@ -58,7 +58,7 @@ def settings(comfort: WindowPreferences) -> tuple[Setting, ...]:
             say("Reduced: no flashes at impacts, and cards stand still."),
             list(_motion(comfort)),
         ),
-        Setting(say("Sound"), _heard(comfort), list(_sound(comfort))),
+        Setting(say("Sound"), _sound_description(comfort), list(_sound(comfort))),
     )
 
 
@@ -86,7 +86,7 @@ def _sizes(comfort: WindowPreferences) -> Sequence[Choice]:
 
 
 def _languages(comfort: WindowPreferences) -> Sequence[Choice]:
-    chosen, title = comfort.chosen.language, language.TITLES[language.of_system()]
+    chosen, title = comfort.chosen.language, language.TITLES[language.system_language()]
     system = Choice(
         say("System"), say("the system's language: {language}", language=title),
         partial(comfort.choose, language=None), chosen is None,
@@ -115,9 +115,9 @@ def _motion(comfort: WindowPreferences) -> Sequence[Choice]:
     ]
 
 
-def _heard(comfort: WindowPreferences) -> str:
+def _sound_description(comfort: WindowPreferences) -> str:
     """Return a description of the sound, or the reason why there is none although it is on."""
-    why = impact_sounds.opened() if comfort.chosen.sound else ""
+    why = impact_sounds.open_device() if comfort.chosen.sound else ""
     if why:
         return say("No sound is available ({reason}). Switch it on to try again.", reason=why)
     return say("Tones at impacts: deep for heavy bodies, loud for hard impacts.")
@@ -146,18 +146,18 @@ class SettingsPage:
         y = sheet.margin // 2
         for setting in settings(desk.comfort):
             y = self._put(setting, y)
-        sheet.end(y)
+        sheet.set_content_height(y)
 
     def _put(self, setting: Setting, y: int) -> int:
         """Make rows of buttons for a setting, and return the height of the next setting [px]."""
         sheet, px = self._sheet, self._sheet.pen.px
         y = below(sheet.image(heading(sheet.pen, sheet.width, setting.title), y))
         y = below(sheet.image(label(sheet.pen, sheet.width, setting.help), y)) + px(GAP)
-        widths = (sheet.room(choice.caption) for choice in setting.choices)
+        widths = (sheet.widest_button(choice.caption) for choice in setting.choices)
         places = in_rows(widths, sheet.width, px(HEIGHT), px(GAP))
         for choice, place in zip(setting.choices, places, strict=True):
             button = sheet.button(place.move(0, y), choice.caption, choice.tip)
-            press(button, choice.chosen)
+            show_pressed(button, choice.chosen)
             self._buttons[button] = choice
         return y + place.bottom + px(2 * GAP)
 

@@ -8,5 +8,5 @@ PAGE = Page(
     key="w",
     text="save: picture, film, table, run, level",
     panel=imported("sandbox.app.pages.share.panel", "SharePage"),
-    worker=imported("sandbox.app.pages.share.background_film", "Filming"),
+    worker=imported("sandbox.app.pages.share.background_film", "FilmWorker"),
 )

@@ -8,7 +8,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 
 
-class Filming(BackgroundTask):
+class FilmWorker(BackgroundTask):
     """Makes one film at a time."""
 
     def __init__(self) -> None:
@@ -34,7 +34,7 @@ class Filming(BackgroundTask):
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Update the progress, and return the message once the film is saved."""
         message = None
-        for found in self._work.found():
+        for found in self._work.results():
             self.news = object()
             if isinstance(found, str):
                 message = self.message = found

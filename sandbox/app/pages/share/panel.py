@@ -14,7 +14,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
-from sandbox.app.pages.share.background_film import Filming
+from sandbox.app.pages.share.background_film import FilmWorker
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import later, say
@@ -36,7 +36,7 @@ class SharePage:
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
-        self._filming = desk.worker(Filming)
+        self._filming = desk.worker(FilmWorker)
         y = below(sheet.image(_intro(sheet.pen, sheet.width), sheet.margin // 2)) + 8
         self._actions: dict[UIButton, Callable[[], str]] = {}
         for caption, text, save in KINDS:
@@ -46,7 +46,7 @@ class SharePage:
         large = say("the run so far, 1280 x 720")
         y = self._row(y, "MP4", large, partial(self._filming.begin, self._session, "mp4"))
         self._state = sheet.image(self._drawn(), y)
-        sheet.end(below(self._state) + 8)
+        sheet.set_content_height(below(self._state) + 8)
 
     def _row(self, y: int, caption: str, text: str, act: Callable[[], str]) -> int:
         """Make a button and a description beside it, and return the height of the next row [px]."""

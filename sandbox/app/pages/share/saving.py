@@ -63,7 +63,7 @@ def table(session: Session) -> Path:
     return path
 
 
-def graphed(
+def graph_table(
     session: Session, names: Sequence[str], across: str = TIME.name,
     within: tuple[float, float] | None = None,
 ) -> Path:  # fmt: skip

@@ -67,7 +67,7 @@ def _cell(value: float, unit: str, trust: Trust | None) -> str:
     """Return the text of a value with its accurate digits, without the unit."""
     text = formatting.quantity(value, unit, DIGITS)
     if trust is not None:
-        text = formatting.certain(value, trust.off, unit)
+        text = formatting.trusted_value(value, trust.off, unit)
     return text.removesuffix(formatting.shown_unit(unit)).rstrip()
 
 

@@ -28,9 +28,9 @@ class Reading(NamedTuple):
     """The measured time [s]."""
     decimals: int
     """The number of significant decimals."""
-    begun: bool
+    has_started: bool
     """Whether it was started."""
-    going: bool
+    is_running: bool
     """Whether it is still running."""
 
     @property
@@ -41,7 +41,7 @@ class Reading(NamedTuple):
     @property
     def color(self) -> Color:
         """The colour of the display, which shows whether the stopwatch runs."""
-        return theme.NOTICE if self.going else theme.TEXT if self.begun else theme.DIM
+        return theme.NOTICE if self.is_running else theme.TEXT if self.has_started else theme.DIM
 
 
 class Stopwatch(IdleWorker):
@@ -60,9 +60,9 @@ class Stopwatch(IdleWorker):
     def __init__(self) -> None:
         super().__init__()
         self._session: Session | None = None
-        self.put_away()
+        self.hide()
 
-    def put_away(self) -> None:
+    def hide(self) -> None:
         """Reset the measured time and the triggers, and hide it."""
         self.starts = self.stops = BY_HAND
         self.reset()
@@ -84,7 +84,7 @@ class Stopwatch(IdleWorker):
 
     def press(self, session: Session) -> str | None:
         """Start or stop it; return a message if that is impossible."""
-        self._take_up(session)
+        self._follow_level(session)
         self.shown, self.news = True, object()
         if BY_HAND not in (self.starts, self.stops):
             return say(
@@ -110,17 +110,17 @@ class Stopwatch(IdleWorker):
 
     def _found(self, session: Session) -> Reading:
         dt, now = session.world.dt, TriggerTime(session.t, between=False)
-        began = self._when(self.starts, self._began, session.run)
-        ended = self._when(self.stops, self._ended, session.run)
+        began = self._trigger_time(self.starts, self._began, session.run)
+        ended = self._trigger_time(self.stops, self._ended, session.run)
         if began is None or began.t > now.t:
-            return Reading(0.0, _decimals(dt), begun=False, going=False)
+            return Reading(0.0, _decimals(dt), has_started=False, is_running=False)
         going = ended is None or not began.t <= ended.t <= now.t
         last = now if going or ended is None else ended
         sharp = began.between and last.between
         decimals = _decimals(dt * BETWEEN if sharp else dt)
-        return Reading(last.t - began.t, decimals, begun=True, going=going)
+        return Reading(last.t - began.t, decimals, has_started=True, is_running=going)
 
-    def _when(
+    def _trigger_time(
         self, occasion: StopwatchTrigger, pressed: float | None, run: LiveRun
     ) -> TriggerTime | None:
         if occasion.at is None:
@@ -134,13 +134,13 @@ class Stopwatch(IdleWorker):
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Put it away when another level is opened."""
-        self._take_up(session)
+        self._follow_level(session)
         return None
 
-    def _take_up(self, session: Session) -> None:
+    def _follow_level(self, session: Session) -> None:
         if session is not self._session:
             self._session = session
-            self.put_away()
+            self.hide()
 
     def draw(self, surface: pygame.Surface, pen: Pen, session: Session) -> None:
         """Draw it in the upper right corner, if it is visible."""

@@ -6,7 +6,7 @@ from pygame_gui.elements import UISelectionList
 
 from sandbox.app.cards.card import Card, heading, label
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.pages.table.stopwatch_triggers import StopwatchTrigger, occasions
+from sandbox.app.pages.table.stopwatch_triggers import StopwatchTrigger, triggers
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import say
@@ -25,7 +25,8 @@ class StopwatchControls:
         self._shown = sheet.image(self._drawn(), 0)
         captions = say("Start or stop"), say("Reset")
         first, second = (
-            pygame.Rect(0, 0, sheet.room(caption), sheet.px(HEIGHT)) for caption in captions
+            pygame.Rect(0, 0, sheet.widest_button(caption), sheet.px(HEIGHT))
+            for caption in captions
         )
         second.left = first.right + GAP
         self.press = sheet.button(first, captions[0], say("start it now, or stop it (3)"))
@@ -35,7 +36,7 @@ class StopwatchControls:
             sheet.image(label(sheet.pen, sheet.width, text), 0)
             for text in (say("Started"), say("Stopped"))
         ]
-        self._known = {occasion.label: occasion for occasion in occasions(session)}
+        self._known = {occasion.label: occasion for occasion in triggers(session)}
         self.starts, self.stops = self._list(stopwatch.starts), self._list(stopwatch.stops)
         """The lists of triggers that start and stop it."""
 

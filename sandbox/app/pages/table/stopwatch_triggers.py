@@ -64,12 +64,12 @@ BY_HAND = StopwatchTrigger(None)
 AT_ONCE = StopwatchTrigger(Expression(0))
 
 
-def occasions(session: Session) -> list[StopwatchTrigger]:
+def triggers(session: Session) -> list[StopwatchTrigger]:
     """Return the triggers offered for a run, with the pairs that have touched so far."""
     pairs = (sorted(pair) for pair in session.run.contacts.met if len(pair) == 2)
     met = (ContactEvent(event="contact", bodies=(first, second)) for first, second in pairs)
     instants = (*_instants(session.level), *met)
-    found = [BY_HAND, AT_ONCE, *(_occasion(at, session.values) for at in instants)]
+    found = [BY_HAND, AT_ONCE, *(_trigger(at, session.values) for at in instants)]
     return list({occasion.label: occasion for occasion in found}.values())[:MOST]
 
 
@@ -87,7 +87,7 @@ def _instants(level: Level) -> Iterator[Moment]:
         yield from (LandingEvent(event="landing", body=name) for name in moving)
 
 
-def _occasion(at: Moment, values: Values) -> StopwatchTrigger:
+def _trigger(at: Moment, values: Values) -> StopwatchTrigger:
     match at:
         case LandingEvent(height=value) | CrossingEvent(value=value):
             return StopwatchTrigger(at, number(value(values), 4))

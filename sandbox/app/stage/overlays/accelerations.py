@@ -12,13 +12,13 @@ from sandbox.app.words.formatting import number
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
-    rows = dict(momentum_scale.heavy(view.world))
-    every = view.observer.seen(view.world.snapshot.acceleration)
+    rows = dict(momentum_scale.bodies_with_momentum(view.world))
+    every = view.observer.relative(view.world.snapshot.acceleration)
     sizes = np.hypot(*every[list(rows)].T) if rows and view.few else np.zeros(0)
     if not sizes.any() or not np.isfinite(sizes).all():
         return
     typical = float(np.median(sizes[sizes > 0]))  # an impact does not set the scale
-    full = view.full("acceleration", typical)  # m/s²
+    full = view.full_length_value("acceleration", typical)  # m/s²
     longest = LONGEST * view.camera.size[0]
     for (row, name), size in zip(rows.items(), sizes.tolist(), strict=True):
         if not size:
@@ -32,7 +32,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
             image.get_rect(center=(end[0] + dx * (image.width / 2 + 8), end[1] + dy * image.height))
             for dx, dy in ((0, 1), (0, -1), (1, 0), (-1, 0))
         )
-        if lines.are_close((end,)) and (place := view.labels.find(places)):
+        if lines.are_close((end,)) and (place := view.labels.place_for(places)):
             surface.blit(image, place)
 
 

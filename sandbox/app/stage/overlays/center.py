@@ -11,7 +11,7 @@ RADIUS, ARM = 5, 9  # px, of the ring and of the cross in it
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
-    rows = [row for row, _ in momentum_scale.heavy(view.world)]
+    rows = [row for row, _ in momentum_scale.bodies_with_momentum(view.world)]
     if not rows:
         return
     snapshot, scene = view.world.snapshot, view.world.scene

@@ -9,7 +9,7 @@ from sandbox.app.stage.view import View
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
-    ahead = arrows.seconds(view) if view.shown[arrows.OVERLAY.name] else None
+    ahead = arrows.time_ahead(view) if view.shown[arrows.OVERLAY.name] else None
     if ahead is None:
         return
     for outline in view.moving:

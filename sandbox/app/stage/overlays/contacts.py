@@ -17,7 +17,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.forces_on_selection import felt
+from sandbox.app.observing.forces_on_selection import not_negligible
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.motion_annotations import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -79,7 +79,7 @@ class Touches:
         self.struck = False
         """Whether there is an impact among them, whose force depends on the time step."""
 
-    def look(self, names: Sequence[str]) -> Sequence[Touch]:
+    def of_bodies(self, names: Sequence[str]) -> Sequence[Touch]:
         """Return the forces of all contacts on some bodies."""
         if self._seen is not self._world.snapshot:
             self._seen = self._world.snapshot
@@ -90,7 +90,7 @@ class Touches:
 
     def _on(self, found: FreeBody) -> Iterator[Touch]:
         """Yield the contacts of a body, each from its normal force and the friction after it."""
-        forces = felt(found)
+        forces = not_negligible(found)
         for acting, after in zip(forces, (*forces[1:], None), strict=False):
             if acting.name != NORMAL or acting.by not in self._rows:  # a wire has one, too
                 continue
@@ -118,9 +118,9 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     touches = _touches.get(view)
     if touches is None:
         touches = _touches[view] = Touches(view.world)
-    found = touches.look([outline.name for outline in view.moving])
+    found = touches.of_bodies([outline.name for outline in view.moving])
     largest = max((hypot(*touch.force) for touch in found), default=0.0)
-    full = view.full("contacts", 0.0 if touches.struck else largest) or largest
+    full = view.full_length_value("contacts", 0.0 if touches.struck else largest) or largest
     if not full:
         return
     longest = LONGEST * view.camera.size[0]
@@ -163,7 +163,7 @@ def _draw_chains(surface: pygame.Surface, view: View) -> None:
     world, last = view.world, view.world.last
     contacts = last.contacts.without_first(last.impact_count)
     sizes = np.hypot(*contacts.impulse.T)
-    full = view.full("chains", float(sizes[~contacts.first].max(initial=0.0)))
+    full = view.full_length_value("chains", float(sizes[~contacts.first].max(initial=0.0)))
     if not full:
         return
     mu = pair_coefficients(world.level, world.values, "friction")[tuple(contacts.bodies.T)]

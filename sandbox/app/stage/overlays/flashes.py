@@ -31,7 +31,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
             continue
         reach = max(hypot(x, y) for x, y in view.outlines[names[blow.body]].points)
         full = min(max(reach * view.camera.scale, SMALLEST), LARGEST)
-        radius = view.pen.px(round(full * (LEAST + (1 - LEAST) * sqrt(blow.share))))
+        radius = view.pen.px(round(full * (LEAST + (1 - LEAST) * sqrt(blow.strength))))
         if left > DYING:
             wave = radius * (1 + WAVE * (1 - left))
             pygame.draw.aacircle(surface, theme.faded(theme.FLAME, left), center, wave, 2)

@@ -27,10 +27,10 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         return
     longest = LONGEST * view.camera.size[0]
     given_forces = _given(view, found)
-    scale = given_forces or longest / (view.looking.full(found) or 1.0)  # px/N
+    scale = given_forces or longest / (view.looking.force_of_longest_arrow(found) or 1.0)  # px/N
     ends = []
-    words = forces_on_selection.texts(view.looking.told(view.world, found))
-    for acting, (_, text) in zip(forces_on_selection.felt(found), words, strict=True):
+    words = forces_on_selection.texts(view.looking.as_last_shown(view.world, found))
+    for acting, (_, text) in zip(forces_on_selection.not_negligible(found), words, strict=True):
         if given_forces and acting.name == Force.effect.shown_force_name:
             continue
         share = min(scale, CUT * longest / acting.magnitude)
@@ -43,7 +43,9 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if lines.are_close((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
     moving = view.moving if view.few else ()
-    avoid = motion_annotations.boxes(view.camera, ((each, *view.state(each)) for each in moving))
+    avoid = motion_annotations.bounding_boxes(
+        view.camera, ((each, *view.state(each)) for each in moving)
+    )
     written = [
         beside(surface, view.pen, text, start, end, view.labels, color, name, avoid)
         for text, start, end, color, name in ends

@@ -12,7 +12,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if world.disturbed or t > view.duration * (1 + 1e-9):
         return
     for name, formulas in world.level.ghosts.items():
-        where = motion_annotations.place(formulas, world.values, t)
+        where = motion_annotations.ghost_position(formulas, world.values, t)
         if where is not None:
             outline = view.outlines[name]
             angle = view.state(outline)[1]

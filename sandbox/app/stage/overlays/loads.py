@@ -35,7 +35,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         for name, joint in world.level.joints.items()
         if isinstance(joint, ALONG) and joints.holds(name, t)
     }
-    full = view.full("loads", max(map(abs, loads.values()), default=0.0))
+    full = view.full_length_value("loads", max(map(abs, loads.values()), default=0.0))
     if not full:
         return
     for name, load in loads.items():
@@ -80,7 +80,7 @@ def _write(surface: pygame.Surface, view: View, name: str, path: list[XY], load:
         text.get_rect(midbottom=(x, y - WIDTHS[1])),
         text.get_rect(midtop=(x, y + WIDTHS[1])),
     )
-    if place := view.labels.find(places, name=f"load {name}"):
+    if place := view.labels.place_for(places, name=f"load {name}"):
         surface.blit(text, place)
 
 

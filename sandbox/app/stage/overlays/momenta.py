@@ -22,7 +22,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         return
     length = LONGEST * view.camera.size[0] / full  # px for 1 kg m/s
     every = momentum_scale.momenta(view.world, view.world.snapshot, place)
-    for row, name in momentum_scale.heavy(view.world):
+    for row, name in momentum_scale.bodies_with_momentum(view.world):
         x, y = view.camera.to_screen(view.state(view.outlines[name])[0])
         px, py = every[row].tolist()
         end = x + px * length, y - py * length
@@ -39,7 +39,7 @@ def _draw_key(surface: pygame.Surface, view: View, length: float) -> None:
     start = x - value * length
     lines.arrow(surface, theme.RESULTANT, (start, y), (x, y), WIDTH)
     surface.blit(text, (x - max(value * length, text.width), y - text.height - 3))
-    view.labels.take(pygame.Rect(x + right - width, y - height + 8, width, height))
+    view.labels.occupy(pygame.Rect(x + right - width, y - height + 8, width, height))
 
 
 OVERLAY = Overlay(

@@ -13,7 +13,7 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.body_outlines import Outline
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.overlays.velocities_and_given_forces import seconds
+from sandbox.app.stage.overlays.velocities_and_given_forces import time_ahead
 from sandbox.app.stage.view import View
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
@@ -31,7 +31,7 @@ of mass is below this."""
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
-    ahead = seconds(view)
+    ahead = time_ahead(view)
     if ahead is None:
         return
     turns = False

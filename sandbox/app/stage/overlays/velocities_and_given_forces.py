@@ -11,7 +11,7 @@ AT_REST = 1e-6
 at rest."""
 
 
-def seconds(view: View) -> float | None:
+def time_ahead(view: View) -> float | None:
     """Return the time that velocity arrows look ahead [s]; None if all bodies are at rest."""
     if not view.few or not view.moving or view.fastest * view.duration < AT_REST * view.width:
         return None
@@ -21,7 +21,7 @@ def seconds(view: View) -> float | None:
 def _draw(surface: pygame.Surface, view: View) -> None:
     if not view.few or not view.moving:
         return
-    ahead = seconds(view)
+    ahead = time_ahead(view)
     moves = [] if ahead is None else [(view.state(o)[0], view.velocity(o)) for o in view.moving]
     for (x, y), (vx, vy) in moves:
         end = x + vx * (ahead or 0.0), y + vy * (ahead or 0.0)

@@ -212,7 +212,7 @@ class CutDrift:
 
         It is the whole drift, without landings; but the first part if a rope becomes taut only
         after its landing, or if joints would do work in a jerk that the landing prevents. The
-        forces of a brief part are too rough to tell such a jerk.
+        forces of a brief part are too inexact to show such a jerk.
         """
         first, whole = self.parts[0], self.whole
         if first.drift < ROUGH * whole.drift:

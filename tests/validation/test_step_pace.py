@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from validation import cli, pace
-from validation.pace import Pace
+from validation import cli, step_pace
 from validation.requests import Trial, complaints, summary, trial
+from validation.step_pace import Pace
 
 
 def test_the_json_has_the_fields_that_scripts_rely_on(tmp_path: Path) -> None:
@@ -36,11 +36,11 @@ def test_a_core_half_as_fast_leaves_the_share_of_the_reference(
     clock = iter(range(10**6))
     found = []
     for tick in (1e-3, 2e-3):
-        monkeypatch.setattr(pace, "process_time", lambda tick=tick: next(clock) * tick)
-        monkeypatch.setattr(pace, "yardstick", lambda tick=tick: 3 * tick)
-        monkeypatch.setattr(pace, "SLICE", 50 * tick)
-        monkeypatch.setattr(pace, "MOST", 1000 * tick)
-        found.append(pace.pace("kinematics/free-fall"))
+        monkeypatch.setattr(step_pace, "process_time", lambda tick=tick: next(clock) * tick)
+        monkeypatch.setattr(step_pace, "yardstick", lambda tick=tick: 3 * tick)
+        monkeypatch.setattr(step_pace, "SLICE", 50 * tick)
+        monkeypatch.setattr(step_pace, "MOST", 1000 * tick)
+        found.append(step_pace.pace("kinematics/free-fall"))
 
     slow, fast = found[1], found[0]
     assert slow.load == pytest.approx(2 * fast.load)
