@@ -108,7 +108,7 @@ class DriftCutter(SubdriftSolver):
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
         A body in a later landing has to be followed from the first one on if other bodies press on
-        it. So then the drift is followed once more from its start.
+        it. So those that may land are; if another one does, the drift is followed once more.
         """
         joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole
         try:
@@ -174,7 +174,8 @@ class DriftCutter(SubdriftSolver):
             return ()
         if met and ((halted := self._halted(part, met, number, saved[0])) or self.crowd.any()):
             return halted
-        self._add_bodies(around(kick, [*(met.pairs if met else ()), *sunk]))
+        begins = ahead.pairs if self._early is None else ()  # later ones would be late
+        self._add_bodies(around(kick, [*(met.pairs if met else ()), *sunk, *begins]))
         self._early = self.reached if self._early is None else self._early
         try:
             if met:
@@ -306,10 +307,8 @@ class DriftCutter(SubdriftSolver):
         beside = self._meetings.beside(ended, begun, met, near)
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(pose, [one.contact for one in met.passing])
-        kick = self._build.rebuilt(
-            pose, known.followed_by(beside).followed_by(after), lengths, at_ends
-        )
-        kick = self._following(shorter, kick)
+        known = known.followed_by(beside).followed_by(after)
+        kick = self._following(shorter, self._build.rebuilt(pose, known, lengths, at_ends))
         self._add_bodies(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         part = Subdrift(kick, left, left, begun, left / 2, forces, active, begun, stages)
