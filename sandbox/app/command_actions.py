@@ -55,6 +55,10 @@ class CommandActions:
             "play": partial(self._with_session, Session.toggle),
             "step": partial(self._with_session, Session.step),
             "step back": partial(self._with_session, Session.step_back),
+            "impact before": partial(
+                self._with_session, partial(Session.go_to_impact, direction=-1)
+            ),
+            "impact after": partial(self._with_session, partial(Session.go_to_impact, direction=1)),
             "faster": partial(self._with_session, Session.faster),
             "slower": partial(self._with_session, Session.slower),
             "restart": self._restart,

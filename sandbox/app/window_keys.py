@@ -26,6 +26,18 @@ PLAYING = (
     Binding(
         "step back", "Left arrow or ,", "pause and go a single step back", (pygame.K_LEFT,), ","
     ),
+    Binding(
+        "impact before",
+        "Ctrl ←",
+        "pause and go back to an impact, or to the start",
+        controls=(pygame.K_LEFT,),
+    ),
+    Binding(
+        "impact after",
+        "Ctrl →",
+        "pause and go on to an impact, or as far as the run has been",
+        controls=(pygame.K_RIGHT,),
+    ),
     Binding("restart", "R or Home", "restart", (pygame.K_HOME,), "rR"),
     Binding("faster", "+ or ]", "play faster", (pygame.K_KP_PLUS,), "+=]"),
     Binding("slower", "− or [", "play slower", (pygame.K_KP_MINUS,), "-["),

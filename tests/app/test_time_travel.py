@@ -9,7 +9,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.observing.impacts import RecordedImpact
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.panels.play_bar import Controls, notes
-from sandbox.app.runs import run_player
+from sandbox.app.runs import keyframes, run_player
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model.errors import SandboxError
@@ -18,6 +18,14 @@ from tests.app.scenes import opened
 from tests.levels.playing import fingerprint
 
 LEVELS = ["newton/atwood", "momentum/cradle", "machines/seesaw", "lagrange/double-pendulum"]
+
+
+@pytest.fixture(autouse=True, params=["from the start", "from keyframes"])
+def spacing(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep no keyframe, or one at each step."""
+    anew = request.param == "from the start"
+    monkeypatch.setattr(keyframes, "SPACING", 1e9 if anew else 0.0)  # s
+    monkeypatch.setattr(keyframes, "SHARE", 1e9)
 
 
 def take(session: Session, steps: int) -> str:
@@ -181,7 +189,8 @@ def test_what_was_put_elsewhere_before_the_start_still_is_after_the_way_back_to_
 
 
 def slowly(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let a way back take more than a frame from now on."""
+    """Let a way back take more than a frame from now on, as without keyframes."""
+    monkeypatch.setattr(keyframes, "can_be_saved", lambda _: False)
     monkeypatch.setattr(run_player, "AT_ONCE", 0.0)  # s
     monkeypatch.setattr(run_player, "ON_THE_WAY", 1e-4)  # s: a few steps
 

@@ -9,7 +9,7 @@ import pytest
 from sandbox.app.keymap import BINDINGS, command, tip
 from sandbox.app.pages.register import PAGES
 from sandbox.app.panels.play_bar import LEFT, WAYS
-from tests.app.person import Person
+from tests.app.person import Person, until
 
 
 def pressed(key: int, text: str = "", mod: int = 0) -> str | None:
@@ -80,3 +80,20 @@ def test_what_a_button_says_of_its_key_can_be_drawn_by_the_font_of_widgets() -> 
 
     for name in named:
         assert None not in font.metrics(tip(name)), name
+
+
+def test_ctrl_and_arrows_go_from_impact_to_impact(person: Person) -> None:
+    """By keyboard, the impact was hundreds of single steps back."""
+    person.window.open_level("momentum/cradle")
+    session = person.session
+    for _ in range(session.end):
+        session.step()
+    first, last = sorted(blow.steps for blow in session.run.marks.shown)
+    seen = []
+
+    for key in (*3 * [pygame.K_LEFT], *3 * [pygame.K_RIGHT]):
+        person.press(key, mod=pygame.KMOD_CTRL)
+        until(person, lambda: session.sought is None)
+        seen.append(session.world.steps)
+
+    assert seen == [last, first, 0, first, last, session.end]

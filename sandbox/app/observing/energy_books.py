@@ -1,5 +1,6 @@
 """The energies of a run over time, and the balance of what changed them."""
 
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,6 +56,12 @@ class Books:
             self.start, self._let_go = self.energies, False
         if self._world.steps % self._every == 0:
             self._history.note(self._world.snapshot)
+
+    def drop_last(self, steps: int) -> None:
+        """Drop the last steps, now that the world has gone back; a copy of the books keeps them."""
+        now = self._world.steps
+        self._history = copy(self._history)
+        self._history.drop_last((now + steps) // self._every - now // self._every)
 
     def keep(self, kept: bool) -> None:
         """Start or stop recording the balance."""

@@ -1,6 +1,7 @@
 """The states of a run, and rows of numbers computed from them, in bounded memory."""
 
 from collections.abc import Callable
+from copy import copy
 from dataclasses import fields
 
 import numpy as np
@@ -41,6 +42,12 @@ class States:
         """Forget everything, as after a body was moved by hand."""
         self._waiting.clear()
         self._kept.restart(self._rows(Snapshot.stack([snapshot]))[0])
+
+    def drop_last(self, count: int) -> None:
+        """Drop the last states that were noted; a copy of the history keeps them."""
+        self._take_in()
+        self._kept, self._waiting = copy(self._kept), []
+        self._kept.drop_last(count)
 
     @property
     def rows(self) -> Array:

@@ -43,6 +43,13 @@ class ThinnedSeries:
         self.version += 1
         self.add(position)
 
+    def drop_last(self, count: int) -> None:
+        """Drop the last instants that were added; a copy of the series keeps them."""
+        self._points = self._points.copy()
+        self._seen -= count
+        self._count = -(-self._seen // self._stride)
+        self.version += 1
+
     @property
     def points(self) -> Array:
         """All instants that are kept, such as (k, n, 2) [m]."""

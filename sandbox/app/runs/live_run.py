@@ -2,6 +2,8 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from copy import copy
+from time import thread_time
 from typing import TYPE_CHECKING, Literal
 
 from sandbox.app.observing import measured_events
@@ -13,6 +15,7 @@ from sandbox.app.observing.measured_events import Milestone
 from sandbox.app.observing.running_checks import Reading, RunGrader, TimeShare
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
+from sandbox.app.runs.keyframes import Keyframe, Keyframes
 from sandbox.app.runs.play_speed import Pace
 from sandbox.app.runs.run_limits import Limits
 from sandbox.app.runs.run_start import RunStart
@@ -24,6 +27,7 @@ from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.goals import Attempt, attempt
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.stepping.saved_state import still
 from sandbox.physics.stepping.time_limit import TimeLimit
 from sandbox.physics.stepping.world import World
 
@@ -69,13 +73,14 @@ class LiveRun:
         """Actions at later steps, to be repeated there unless the user acts first."""
         self.ahead: RunObservations | None = None
         """The observations of the run before it was rewound; None if it was not."""
+        self.keyframes = Keyframes(world)  # shared with the run as it was before
+        self._whole: LiveRun | None = None  # the run as it was before, in the same world
         self._fork: World | None = None  # the world before the last branch
         graded = *needed(original), *needed(world.level), *measured_events.needed(world.level)
         self._quantities = tuple(dict.fromkeys(graded))
         self.limits = Limits()
         self._patience = TimeLimit()
         self._record()
-        self._attempts: TimeShare[Attempt | None] = TimeShare(self._attempt, None)
 
     @property
     def t(self) -> float:
@@ -95,10 +100,13 @@ class LiveRun:
 
     def _record(self) -> None:
         """Start a new recording at the current step."""
-        self._recorder = Recorder(self.world, self._quantities)
         self._recorded, self._moved = self.world, False
-        self._grading = RunGrader(self._recorder)
-        self.limits.recorder = self._recorder
+        self._go_on_recording(Recorder(self.world, self._quantities))
+
+    def _go_on_recording(self, recorder: Recorder) -> None:
+        self._recorder = self.limits.recorder = recorder
+        self._grading = RunGrader(recorder)
+        self._attempts: TimeShare[Attempt | None] = TimeShare(self._attempt, None)
 
     def keep_as_earlier(self, values: Mapping[str, float]) -> None:
         """Add the run to the earlier ones, before parameters change to the given values."""
@@ -107,6 +115,7 @@ class LiveRun:
 
     def advance(self) -> None:
         """Take a step with all companions, and record the observations."""
+        begun = thread_time()
         self.catch_up()
         if self._moved and self.world is self._recorded:  # branches are not recorded
             self._record()
@@ -127,6 +136,44 @@ class LiveRun:
         recorded = self.world is self._recorded and self.world.steps <= self.end
         if recorded and not self._recorder.is_full:
             self._recorder.note()
+        if not self.companions:
+            self.keyframes.note(self._recorder, thread_time() - begun)
+
+    def at_keyframe(self, step: int) -> "LiveRun | None":
+        """Return the run as it was at the last keyframe up to a step; None if there is none.
+
+        It goes on in the world of this run, which keeps its observations and shows where it was.
+        """
+        found = self.keyframes.before(step)
+        if found is None or self.companions or self.books.kept:
+            return None
+        whole, world = self._whole or self, self.world
+        if whole.world.steps < world.steps:
+            whole = self
+        self.world, self._whole = still(world), None
+        found.state.put_back()
+        run = copy(whole)
+        run.begin_at(found, world, whole)
+        return run
+
+    def begin_at(self, found: Keyframe, world: World, whole: "LiveRun") -> None:
+        """Drop the observations after a keyframe, and go on in a world that is back at it.
+
+        `whole` is the run with all observations, of which this one is a copy.
+        """
+        steps = whole.world.steps - found.step
+        self.world, self._whole = world, whole
+        self.failure, self.advice, self.trying = None, None, False
+        self.trail, self.history = copy(self.trail), copy(self.history)
+        self.trail.drop_last(steps)
+        self.history.drop_last(steps)
+        self.books = copy(self.books)
+        self.books.drop_last(steps)
+        self.actions = [action for action in self.all_actions if action.step < found.step]
+        recorder = copy(self._recorder)
+        if self._recorded is world:
+            recorder.keep_first(found.recorded)
+        self._go_on_recording(recorder)
 
     def _follow(self, t: float) -> None:
         for companion in self.companions:
@@ -153,7 +200,8 @@ class LiveRun:
         """
         left, overwritten = self.farthest, bool(self.script)
         overwritten |= left.steps() > self.world.steps
-        self.script, self.ahead = (), None
+        self.script, self.ahead, self._whole = (), None, None
+        self.keyframes.forget_after(self.world.steps)
         self.marks.forget_after(self.world.steps)
         if overwritten or branches:
             self.earlier = with_one_more(self.earlier, left, values, self.t)
@@ -176,6 +224,7 @@ class LiveRun:
         self.actions.append(action)
         if action.kind in ("place", "release"):
             self.books.hand_over()
+            self.keyframes = Keyframes(self.world)  # earlier observations end here
         if action.kind == "place":
             self._moved = True
             self.books.restart()
@@ -221,6 +270,7 @@ class LiveRun:
         self.contacts = FirstContacts(world)
         self.trail = ThinnedSeries(world.snapshot.position)
         self.history = History(world.snapshot)
+        self.keyframes, self._whole = Keyframes(world), None
 
     def release_what_is_held(self) -> None:
         """Release a body that the recorded actions have left grabbed."""

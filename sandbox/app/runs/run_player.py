@@ -124,11 +124,11 @@ class Playback(RunView, ABC):
     def go_to(self, step: int, *, undone: bool = False) -> None:
         """Seek another step of the run, backwards or forwards, within its `span`.
 
-        To go back, the run is repeated from its start with the user's actions, which gives the same
-        states to the last bit. Later actions are repeated at their steps, unless the user acts
-        before. Seeking may take some frames, see `sought`; a recorded state is shown meanwhile, see
-        `recalled`. `undone` drops the actions at that step and later. Raises `SandboxError` if the
-        run cannot be built again.
+        To go back, the run is repeated from its last keyframe before, or from its start, with the
+        user's actions, which gives the same states to the last bit. Later actions are repeated at
+        their steps, unless the user acts before. Seeking may take some frames, see `sought`; a
+        recorded state is shown meanwhile, see `recalled`. `undone` drops the actions at that step
+        and later. Raises `SandboxError` if the run cannot be built again.
         """
         sought = min(max(step, 0), self.span)
         back = undone or sought < self.world.steps
@@ -137,7 +137,8 @@ class Playback(RunView, ABC):
         self.release()
         self.run.limits.continue_run()
         self.sought = sought
-        if back:
+        found = self.run.keyframes.before(sought)
+        if back or (found and found.step > self.world.steps):
             self._begin_again(sought, undone=undone)
         self._recall()
         self._seek(AT_ONCE)
@@ -151,17 +152,20 @@ class Playback(RunView, ABC):
         self._seek(budget)
 
     def _begin_again(self, sought: int, *, undone: bool = False) -> None:
-        """Restart with the same parameters, to repeat the recorded actions."""
+        """Go on from a keyframe, or else from the start, and repeat the recorded actions."""
         before, actions = self.run, self.run.all_actions
+        run = before.at_keyframe(sought) or self._run_anew()
         here = RunObservations(before.trail, before.history, before.world)
         records = self._records.with_run(here, before.actions)
-        self._take_up(self._run_anew())
+        self._take_up(run)
         self._records = records
-        self.run.script = [a for a in actions if a.step < sought or not undone]
+        later = actions[len(run.actions) :]
+        self.run.script = [a for a in later if a.step < sought or not undone]
         self.run.ahead = before.farthest
         self.run.marks = before.marks
         if undone:
             self.run.marks.forget_after(sought)
+            self.run.keyframes.forget_after(sought)
         self.run.end = max(self.run.end, before.end)
         self.sought = sought
 

@@ -132,6 +132,19 @@ class Session(Playback):
         else:
             self.go_to(0)
 
+    def go_to_impact(self, direction: int) -> None:
+        """Pause, and go to the next marked impact, or to the one before if `direction` is -1.
+
+        Beyond the last, go as far as the run has been; before the first, to its start.
+        """
+        self.pause()
+        here = self.world.steps if self.sought is None else self.sought
+        ends = 0, self.run.farthest.steps()
+        steps = [*ends, *(blow.steps for blow in self.run.marks.shown)]
+        ahead = [step for step in steps if direction * (step - here) > 0]
+        if ahead:
+            self.go_to(min(ahead, key=lambda step: abs(step - here)))
+
     def forget_earlier(self) -> None:
         """Remove all earlier runs."""
         self.run.earlier = ()

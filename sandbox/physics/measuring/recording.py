@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
@@ -17,6 +16,7 @@ from sandbox.optional_packages import needed_for
 from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.space_arrays import Integers
+from sandbox.physics.measuring.missed_passages import HighestSpeeds
 from sandbox.physics.measuring.running_aggregates import over_time
 from sandbox.physics.measuring.unbalanced_contacts import Unbalanced
 from sandbox.physics.quantities.meter import Meter
@@ -141,12 +141,6 @@ def may_lean(world: World) -> bool:
     return bool(settling and settling.is_unsettled and not world.scene.direct)
 
 
-def _steps_see_impacts(world: World) -> bool:
-    """Return whether impacts, except those of `located` bodies, are only noticed at steps."""
-    scene = world.scene
-    return bool(world.level.effects.contact and not (scene.direct or scene.sequence))
-
-
 class Recorder:
     """Records quantities of a world, step by step; keeps a ledger if a quantity needs one."""
 
@@ -169,7 +163,7 @@ class Recorder:
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
         self._may_lean, self._unbalanced = may_lean(world), Unbalanced(world)
-        self._speeds = np.zeros(len(self._names))  # the highest [m/s], if `_steps_see_impacts`
+        self._speeds = HighestSpeeds(world)
         self._meetings: dict[Pair, list[Meeting]] = {}
         self._partings: dict[Pair, list[int]] = {}
         self._touching: set[int] = set()  # pairs that touch now, as numbers
@@ -258,21 +252,41 @@ class Recorder:
                     columns[name] = columns[name] + self._measured[-1][1][name][-1]
             new_columns = {name: column[count:] for name, column in columns.items()}
             self._measured.append((stack.t[count:], new_columns))
-            if _steps_see_impacts(self._world):
-                speeds = np.hypot(stack.velocity[..., 0], stack.velocity[..., 1])
-                self._speeds = np.maximum(self._speeds, speeds.max(axis=0))
+            self._speeds.note(stack)
             self._last = self._unmeasured[-1:]
             self._unmeasured.clear()
 
-    @property
-    def trace(self) -> Trace:
-        """Everything recorded so far."""
+    def _joined(self) -> tuple[Array, dict[str, Array]]:
+        """Measure the new snapshots, and join what was measured in parts."""
         self._measure()
         if len(self._measured) > 1:
             times, parts = zip(*self._measured, strict=True)
             joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
             self._measured = [(np.concatenate(times), joined)]
-        t, measured = self._measured[0]
+        return self._measured[0]
+
+    @property
+    def ledger(self) -> Ledger | None:
+        """The ledger that it keeps; None if no quantity needs one."""
+        return self._ledger
+
+    def keep_first(self, count: int) -> None:
+        """Drop all but the first instants, now that the world is back at the last of them.
+
+        The world has no contacts, and its ledger was put back with it. A copy of the recorder keeps
+        all instants, but must record no further ones.
+        """
+        t, columns = self._joined()
+        self._measured = [(t[:count], {name: each[:count] for name, each in columns.items()})]
+        self._unmeasured, self._last, self._count = [], [self._world.snapshot], count
+        self._ledger_rows, self._force_rows = self._ledger_rows[:count], self._force_rows[:count]
+        met = self._meetings.items()
+        self._meetings = {pair: [m for m in each if m.step < count] for pair, each in met}
+
+    @property
+    def trace(self) -> Trace:
+        """Everything recorded so far."""
+        t, measured = self._joined()
         columns = dict(measured)
         for names, rows_so_far in (
             (self._from_ledger, self._ledger_rows),
@@ -301,28 +315,8 @@ class Recorder:
             self._partings,
             self._may_lean,
             self._unbalanced.fraction,
-            missed_passages=self._missed_passages(),
+            missed_passages=self._speeds.bounds,
         )
-
-    def _missed_passages(self) -> "tuple[RateBound, ...]":
-        """Return what moved further than its own width in a step, where only steps see impacts."""
-        world, contact = self._world, self._world.level.effects.contact
-        if not (contact and _steps_see_impacts(world)):
-            return ()
-        from sandbox.physics.guarding.least_step_rate import speed_bounds
-
-        too_fast = self._speeds > world.stepping.rate * self._widths
-        bounds = speed_bounds(
-            world.scene, np.where(too_fast, self._speeds, 0.0), self._widths, contact.located or ()
-        )
-        return tuple(sorted(bounds))[::-1]
-
-    @cached_property
-    def _widths(self) -> Array:
-        """The smallest widths of the bodies, (n,) [m]; to find them takes as long as a frame."""
-        from sandbox.physics.guarding.least_step_rate import widths
-
-        return widths(self._world.scene)
 
 
 def _add(to: dict[Pair, list[Met]], pair: Pair, entry: Met) -> None:
