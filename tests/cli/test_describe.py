@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from sandbox.app.observing.scene_in_words import MANY
 from sandbox.model import level_catalog
 from sandbox.physics.measuring.free_body import FreeBody
 from sandbox.physics.measuring.free_body_forces import FreeBodies
@@ -70,7 +71,7 @@ def test_of_a_crowd_only_the_forces_that_are_shown_are_computed(
 
     told = run("describe", str(path), "--at", "0.1", "--forces").out
 
-    assert len(asked) == told.partition("Forces:")[2].count("disc")
+    assert len(asked) == MANY
     assert "  and 60 more" in told
 
 
