@@ -2,6 +2,7 @@
 
 from cmath import exp
 from collections.abc import Iterator
+from itertools import islice
 from math import hypot, sqrt
 
 from sandbox.app.observing.forces_on_selection import FAINT, without_rounding
@@ -42,25 +43,25 @@ def describe(
     yield f"Time: {formatting.number(world.t, 4)} s of {level.duration(world.values):.4g} s."
     declared = [name for name, effect in level.effects if effect is not None]
     yield f"Effects: {', '.join(declared) or 'none'}."
-    yield from _section("Parameters", _parameters(world))
-    yield from _section("Bodies", _bodies(world))
-    yield from _section("Joints", _joints(world))
-    yield from _section("Contacts", _contacts(world))
+    yield from _section("Parameters", _parameters(world), len(level.parameters))
+    yield from _section("Bodies", _bodies(world), len(level.bodies))
+    yield from _section("Joints", _joints(world), len(level.joints))
+    yield from _section("Contacts", _contacts(world), len(world.contacts.bodies))
     if with_forces:
-        yield from _section("Forces", forces(world))
-    yield from _section("Checks", map(_check, results))
+        dynamic = sum(body.type == "dynamic" for body in level.bodies.values())
+        yield from _section("Forces", forces(world), dynamic)
+    yield from _section("Checks", map(_check, results), len(results))
     if level.challenge:
         yield f"Challenge: {level.challenge.task}"
 
 
-def _section(heading: str, lines: Iterator[str]) -> Iterator[str]:
-    """Yield a heading and its lines, if there are any."""
-    found = list(lines)
-    if found:
+def _section(heading: str, lines: Iterator[str], total: int) -> Iterator[str]:
+    """Yield a heading and its lines, if there are any; those beyond `MANY` are not made."""
+    if total:
         yield f"{heading}:"
-        yield from (f"  {line}" for line in found[:MANY])
-        if len(found) > MANY:
-            yield f"  and {len(found) - MANY:,} more"
+        yield from (f"  {line}" for line in islice(lines, MANY))
+        if total > MANY:
+            yield f"  and {total - MANY:,} more"
 
 
 def _parameters(world: World) -> Iterator[str]:
@@ -180,7 +181,7 @@ def _check(result: Result) -> str:
 
 
 def forces(world: World) -> Iterator[str]:
-    """Yield the present forces on each dynamic body: a line per body, or a line per force."""
+    """Yield the present forces on each dynamic body, as one line, or with a line per force."""
     bodies = FreeBodies(world)
     for name, body in world.level.bodies.items():
         if body.type != "dynamic":
@@ -190,8 +191,7 @@ def forces(world: World) -> Iterator[str]:
         if len(lines) <= TOGETHER + 1:
             yield f"{name}: {'; '.join(lines)}"
         else:
-            yield f"{name}:"
-            yield from (f"  {line}" for line in lines)
+            yield "\n    ".join((f"{name}:", *lines))
 
 
 def direction_in_words(x: float, y: float) -> str:

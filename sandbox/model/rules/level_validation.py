@@ -34,6 +34,9 @@ PATIENCE = 5e5
 """The work after which fewer corners are tried [µs]; it is counted, not timed, so that the result
 is the same on every machine."""
 
+EXHAUSTED = 3 * PATIENCE
+"""The work after which only the default values are tried [µs]."""
+
 
 def faults(level: Level) -> list[Fault]:
     """Return all faults of a level; rules that depend on broken ones are skipped."""
@@ -92,16 +95,17 @@ def _bounds(ranges: Mapping[str, tuple[float, float]], most: int) -> Iterator[Va
 def _values(level: Level) -> Iterator[Fault]:
     """Every condition holds over the whole ranges of the parameters.
 
-    For a level that would take too long, fewer combinations of bounds are tried. Faults that this
-    misses are reported when somebody chooses such values.
+    For a level that would take too long, fewer combinations of bounds are tried, or none. Faults
+    that this misses are reported when somebody chooses such values.
     """
     asked = list(conditions(level))
     tried = cache(lambda names, most: list(corners(level, names, most)))
     spared = sum(c.work * min(2 ** len(c.names), MAX_CORNERS) for c in asked) > PATIENCE
     varied = sum(1 for condition in asked if condition.names) or 1
+    least = FEWEST if sum(c.work for c in asked if c.names) * FEWEST < EXHAUSTED else 0
     for condition in asked:
         most = int(PATIENCE / varied / condition.work) if spared else MAX_CORNERS
-        for values in tried(condition.names, min(max(most, FEWEST), MAX_CORNERS)):
+        for values in tried(condition.names, min(max(most, least), MAX_CORNERS)):
             if rule := condition.fault(values):
                 used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(condition.names))
                 reported = Message("{rule} when {used}", rule=rule, used=used) if used else rule

@@ -37,6 +37,9 @@ WORK = 15_000
 """The largest product of the bounces in a step and the equations of all joints, which each bounce
 solves anew: about a second of computing."""
 
+BOUNCE = 40
+"""The equations that take as long as what a bounce takes besides them."""
+
 OFTEN = Message(
     "stops are met too often in a step to be followed, such as '{name}'; reduce their"
     " 'restitution', or give what they hold more room",
@@ -62,7 +65,7 @@ class Bounces:
         self._scene, self._sides, self._breaking_loads, self._dt = scene, sides, breaking_loads, dt
         self._restitution = [restitution[name] for name in sides.names]
         self._resting: set[int] = set()
-        self._work = 0  # in this step, in bounces times equations
+        self._work = 0  # in this step: bounces times equations, and `BOUNCE` more for each
         self._begin()
 
     @classmethod
@@ -171,7 +174,7 @@ class Bounces:
 
         Raises `JointFailure` if stops are met too often in a step.
         """
-        self._work += len(self._together.names)
+        self._work += BOUNCE + len(self._together.names)
         if self._work > WORK:
             name = self._sides.names[side]
             raise JointFailure(name, OFTEN.filled(name=name))

@@ -13,12 +13,20 @@ from sandbox.physics.engine.space_arrays import Booleans
 MOST = 500
 """The most impacts of a body in a step, which take 0.2 s to compute."""
 
+MOST_TOGETHER = 2000
+"""The most impacts of all bodies in a step, which take 1 to 2 s to compute."""
+
 INSTANT = 1e-9
 """Impacts within this share of a step are simultaneous."""
 
 CRAMPED = Message(
     "{body} would have more than {most} impacts in one step: it is too fast for its room; give"
     " it more, or increase the 'rate'"
+)
+
+CROWDED = Message(
+    "bodies would have more than {most:,} impacts in one step, {body} among them; increase the"
+    " 'rate', or reduce their 'restitution'"
 )
 
 Restitution = Callable[[Hit], float]
@@ -69,12 +77,13 @@ class Tally:
     def __init__(self, restitution: Restitution, moving: Booleans, dt: float) -> None:
         self._restitution, self._moving, self._instant = restitution, moving, INSTANT * dt
         self._all, self._now = np.zeros((2, len(moving)), dtype=int)
-        self._began = np.zeros(len(moving))
+        self._began, self._together = np.zeros(len(moving)), 0
 
     def count(self, hits: Sequence[Hit]) -> bool:
         """Count impacts, and return whether a body has had many at one time.
 
-        Raises `EndlessImpacts` if a body has more than `MOST` impacts.
+        Raises `EndlessImpacts` if a body has more than `MOST` impacts, or all of them have more
+        than `MOST_TOGETHER`.
         """
         time = hits[0].time
         bodies = [body for hit in hits for body in hit.bodies if self._moving[body]]
@@ -85,6 +94,9 @@ class Tally:
             self._now[body] += 1
             if self._all[body] > MOST:
                 raise EndlessImpacts(body, CRAMPED if self._now[body] < MANY else OFTEN, most=MOST)
+        self._together += len(hits)
+        if self._together > MOST_TOGETHER:
+            raise EndlessImpacts(int(self._all.argmax()), CROWDED, most=MOST_TOGETHER)
         return bool(self._now[bodies].max() > MANY)
 
     def gentle(self, around: Sequence[Hit]) -> bool:

@@ -332,6 +332,21 @@ def test_a_restitution_beyond_one_is_told() -> None:
         slider(1.2)
 
 
+def test_a_puck_that_rattles_between_stops_is_told_to_meet_them_too_often() -> None:
+    """At 100 m/s with 2 mm of play it had 830 bounces in each step, which took 3 s."""
+    stop = {
+        "type": "stop",
+        "ends": ["puck", [0, 0]],
+        "direction": [1, 0],
+        "range": [-1e-3, 1e-3],
+        "restitution": 1,
+    }
+    world = build(level({"puck": disc(velocity=[100, 0])}, {}, joints={"stop": stop}))
+
+    with pytest.raises(SimulationError, match="'stop'; reduce their 'restitution', or give"):
+        world.advance()
+
+
 def test_flaps_that_rattle_between_each_other_are_told_to_meet_too_often() -> None:
     """Sixty flaps turn against each other, each between two elastic stops 0.2 rad apart.
 

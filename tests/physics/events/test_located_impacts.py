@@ -372,6 +372,16 @@ def test_a_long_row_that_cannot_be_followed_is_told_soon() -> None:
     assert process_time() - start < 4  # 1.2 s
 
 
+def test_a_crowd_that_cannot_be_followed_is_told_soon() -> None:
+    """A hundred balls on each other had 3,100 impacts before it was told, 400 in a box 4,000."""
+    balls = {f"ball{i}": disc((0, 0.2 * i), radius=0.1, restitution=0.9) for i in range(100)}
+    floor = fixed({"type": "box", "width": 3, "height": 1}, (0, -0.6), restitution=1)
+    scene = level({**balls, "floor": floor}, {**GRAVITY, **located(*balls)})
+
+    with pytest.raises(SimulationError, match="more than 2,000 impacts in one step, 'ball"):
+        build(scene).advance()
+
+
 def test_a_ball_with_little_room_bounces_as_often_as_it_should() -> None:
     """1 mm of play, 20 m/s: 333 impacts in a 60th of a second."""
     world = build(between(1e-3, 20))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache, partial
-from math import dist, isfinite
+from math import isfinite
 
 import numpy as np
 
@@ -26,8 +26,12 @@ NEAR = 1e-9
 """The distance below which positions count as equal [m]."""
 
 
+KEPT = 300
+"""The most choices of parameters for which the motions at the start are kept."""
+
+
 class _Starts:
-    """The motion of some bodies at the start; the formulas of many fields ask for it."""
+    """The motion of some bodies at the start; many fields and centres ask for it."""
 
     def __init__(self, level: Level, names: Iterable[str]) -> None:
         self._bodies = {name: level.bodies[name] for name in names}
@@ -35,18 +39,25 @@ class _Starts:
         motions = tuple((body.position, body.velocity) for body in self._bodies.values())
         self.names = names_in(motions)
         """The parameters and constants on which it depends."""
-        self._known: tuple[Values, Mapping[str, Array]] = {}, {}
+        self._known: dict[int, tuple[Values, Mapping[str, Array]]] = {}
 
     def at(self, values: Values) -> Mapping[str, Array]:
-        """Return the variables of a field, an array over the bodies each."""
-        if values is not self._known[0] or not self._known[1]:
-            motions = [
-                (*evaluate(body.position, values), *evaluate(body.velocity, values), 0.0)
-                for body in self._bodies.values()
-            ]
-            columns = np.array(motions).reshape(-1, 5).T
-            self._known = values, dict(zip(("x", "y", "vx", "vy", "t"), columns, strict=True))
-        return self._known[1]
+        """Return the variables of a field, an array over the bodies each.
+
+        Each condition asks for the same few mappings in turn.
+        """
+        if known := self._known.get(id(values)):
+            return known[1]
+        if len(self._known) == KEPT:
+            self._known.clear()
+        motions = [
+            (*evaluate(body.position, values), *evaluate(body.velocity, values), 0.0)
+            for body in self._bodies.values()
+        ]
+        columns = np.array(motions).reshape(-1, 5).T
+        found = dict(zip(("x", "y", "vx", "vy", "t"), columns, strict=True))
+        self._known[id(values)] = values, found  # an identity holds as long as its mapping
+        return found
 
 
 def fields(level: Level) -> Iterator[Condition]:
@@ -80,22 +91,24 @@ def _lost(formula: Function, start: _Starts, values: Values) -> Message | None:
         found = np.broadcast_to(formula.at(values, start.at(values)), len(start.bodies))
     except ExpressionError as error:
         return error.message
-    for name, value in zip(start.bodies, found.tolist(), strict=True):
-        if not isfinite(value):
-            return Message(
-                "'{shown}' has no finite value where '{name}' starts",
-                shown=brief(str(formula.source)),
-                name=brief(name),
-            )
-        if beyond := formula.range_fault(value):
-            return Message(
-                "'{shown}' is {found:g} where '{name}' starts, {beyond}",
-                shown=brief(str(formula.source)),
-                found=value,
-                name=brief(name),
-                beyond=beyond,
-            )
-    return None
+    wrong = ~np.isfinite(found) | (np.abs(found) > formula.most)
+    if not wrong.any():
+        return None
+    first = int(wrong.argmax())
+    value, name = float(found[first]), start.bodies[first]
+    if not isfinite(value):
+        return Message(
+            "'{shown}' has no finite value where '{name}' starts",
+            shown=brief(str(formula.source)),
+            name=brief(name),
+        )
+    return Message(
+        "'{shown}' is {found:g} where '{name}' starts, {beyond}",
+        shown=brief(str(formula.source)),
+        found=value,
+        name=brief(name),
+        beyond=formula.range_fault(value),
+    )
 
 
 def friction(level: Level) -> Iterator[Condition]:
@@ -129,12 +142,12 @@ def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -
 def singular_forces(level: Level) -> Iterator[Condition]:
     """Yield the conditions that bodies start away from those that act on them, and from centres."""
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    start, among = _Starts(level, dynamic), names_in([level.bodies[n].position for n in dynamic])
     for index, center in enumerate(level.effects.attraction or ()):
-        positions = {name: level.bodies[name].position for name in dynamic}
-        names = names_in((center.center, center.power, *positions.values()))
-        wrong = partial(_centre_fault, center, positions)
+        names = among | names_in((center.center, center.power))
+        wrong = partial(_centre_fault, center, start)
         yield Condition(
-            ("effects", "attraction", index, "center"), names, wrong, 10 + 5 * len(positions)
+            ("effects", "attraction", index, "center"), names, wrong, 10 + 5 * len(dynamic)
         )
     for effect, effect_path, settings in level.effects.settings:
         if effect.is_singular:
@@ -173,20 +186,19 @@ def _advice(effect: Effect) -> Message:
     return Message("move one of them")
 
 
-def _centre_fault(
-    pull: Attraction, positions: Mapping[str, Point], values: Values
-) -> Message | None:
+def _centre_fault(pull: Attraction, start: _Starts, values: Values) -> Message | None:
     """No force is defined at a centre, unless it grows with the distance."""
     if pull.power(values) <= -1:
         return None
     x, y = evaluate(pull.center, values)
-    for name, point in positions.items():
-        if dist(evaluate(point, values), (x, y)) <= NEAR:
-            return Message(
-                "'{name}' starts at the centre, where the attraction has no direction",
-                name=brief(name),
-            )
-    return None
+    bodies = start.at(values)
+    inside = np.hypot(bodies["x"] - x, bodies["y"] - y) <= NEAR
+    if not inside.any():
+        return None
+    return Message(
+        "'{name}' starts at the centre, where the attraction has no direction",
+        name=brief(start.bodies[int(inside.argmax())]),
+    )
 
 
 def rockets(level: Level) -> Iterator[Condition]:
