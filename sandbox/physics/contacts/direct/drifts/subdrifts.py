@@ -60,7 +60,7 @@ class Subdrift(NamedTuple):
     stages
         The stages at its beginning before that kick.
     continuing_forces
-        (r,), the forces that go on after it, if its own are too rough for that; else None [N].
+        (r,), the forces that continue after it, if its own are too rough for that; else None [N].
     flat
         See `KickResult`.
     stopped_crowds
@@ -94,7 +94,7 @@ class Subdrift(NamedTuple):
 
     @property
     def later_forces(self) -> Array:
-        """(r,), the forces that go on after it [N]."""
+        """(r,), the forces that continue after it [N]."""
         return self.forces if self.continuing_forces is None else self.continuing_forces
 
     @property

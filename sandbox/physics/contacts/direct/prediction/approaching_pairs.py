@@ -83,7 +83,7 @@ class ApproachingPairs:
         self._found: list[Pair] = []  # its result
 
     def forget(self) -> None:
-        """Look at all pairs anew: joints changed, and what was one solid may collide."""
+        """Look at all pairs again: joints changed, and what was one solid may collide."""
         self._room[:], self._seen = 0.0, None
 
     def near(self, contacts: Contacts, pose: Coordinates, displacement: Array) -> list[Pair]:
