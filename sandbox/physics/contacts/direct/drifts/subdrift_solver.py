@@ -1,4 +1,4 @@
-"""Solves a part of a drift for a chosen length, and its motion up to its end."""
+"""Solves a subdrift, a part of a drift, for a chosen length, and its motion up to its end."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""The parts of a drift that is cut where bodies land, and its outcome for the rest of the step."""
+"""Subdrifts: the parts of a drift that is cut where bodies land; and the outcome of the drift."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ JERKS = 1e-3
 
 
 class Subdrift(NamedTuple):
-    """A part of a drift, and the kick before it; r rows, N bodies with the plane.
+    """A part of a drift, and the kick before it: r rows, N bodies with the plane.
 
     Attributes
     ----------
