@@ -1,4 +1,4 @@
-"""The keys of the window's own commands; pages and overlays declare theirs (see `keymap`)."""
+"""The keys of the window's own commands; pages and overlays declare their own (see `keymap`)."""
 
 from dataclasses import dataclass
 

@@ -22,7 +22,7 @@ def axle_loads(
 ) -> tuple[float, float]:
     """Return the loads on two axles [N]: forces and torques sum to zero.
 
-    Each weight [N] comes with its position, and the axles are at theirs [m].
+    Each weight [N] comes with its position, and each axle has a position, too [m].
     """
     whole = sum(weight for weight, _ in weights)
     torque = sum(weight * (place - axles[0]) for weight, place in weights)

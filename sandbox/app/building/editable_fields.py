@@ -69,7 +69,7 @@ Row = tuple[EditableField, ...] | Section
 
 
 def rows(model: type[Model], values: Mapping[str, Json], path: Path) -> list[Row]:
-    """Return the rows for the fields of a part, given as the level says it and by its path."""
+    """Return the rows for the fields of a part, given by its values in the level and its path."""
     found: list[Row] = []
     for name, field in model.model_fields.items():
         if model is Effects and values.get(name) is None:
@@ -218,7 +218,7 @@ def bare_type(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
 
 
 def model_of(kind: Any, values: Mapping[str, Json]) -> type[Model] | None:  # noqa: ANN401
-    """Return the model of a part; in a union, that which the part's `type` or `event` names."""
+    """Return the model of a part; in a union, the one that the part's `type` or `event` names."""
     kind = bare_type(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
         return kind

@@ -50,7 +50,7 @@ class Camera:
         self.scale = min(self.size[0] / self._middle, self.size[1] * ASPECT / self._width)
 
     def resize(self, size: tuple[int, int]) -> None:
-        """Set the size of the surface; a level's view is fitted anew, else the scale stays."""
+        """Set the size of the surface; a level's view is fitted again, else the scale stays."""
         self.size = size
         if self.fitted:
             self._fill()

@@ -107,7 +107,7 @@ def _made(path: Path, pen: Pen, where: Path) -> Picture:
 
 
 def draw(path: Path, pen: Pen) -> pygame.Surface:
-    """Draw a level at a telling moment, or as far as it gets in `PATIENCE` of computing.
+    """Draw a level at a typical moment, or at the latest one reached in `PATIENCE` of computing.
 
     Raises `SandboxError` if the level cannot be opened.
     """

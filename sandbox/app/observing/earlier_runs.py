@@ -35,7 +35,7 @@ class Earlier(NamedTuple):
     changed: frozenset[str]
     """The parameters that were changed after it; empty if the user acted on the run instead."""
     left: float | None
-    """The time at which a branch left it [s]; None if the next run started anew."""
+    """The time at which a branch left it [s]; None if the next run began at the start."""
     trail: ThinnedSeries
     history: History
     world: World

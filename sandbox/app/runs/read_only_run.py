@@ -28,7 +28,7 @@ class RunView:
 
     def __init__(self, run: LiveRun) -> None:
         self.run = run
-        """The run; replaced whenever it starts anew."""
+        """The run; replaced whenever it starts again."""
 
     @property
     def world(self) -> World:

@@ -53,7 +53,7 @@ def draw_string(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> 
 
 
 def draw_line(surface: pygame.Surface, path: Sequence[XY], slack: bool) -> None:
-    """Draw a string along a way [px]: dashed if slack, else twisted, which shows how it moves."""
+    """Draw a string along a path [px]: dashed if slack, else twisted, which shows how it moves."""
     if slack:
         lines.dashed(surface, theme.STRING, path, 4, 4)
         return

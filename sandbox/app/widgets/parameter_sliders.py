@@ -98,7 +98,7 @@ class Parameters:
         return Row(parameter, slider, field, text)
 
     def show(self, values: Values) -> None:
-        """Show other values; parameters that no longer exist keep theirs."""
+        """Show other values; parameters that no longer exist keep their values."""
         self._values = values
         for name, row in self._rows.items():
             if name not in values:

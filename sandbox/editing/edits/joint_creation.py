@@ -152,7 +152,7 @@ def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 
 def _direction(vector: complex) -> Json:
-    """Return the direction of a way between two picks; to the right if they are at one point."""
+    """Return the direction from one pick to the other; to the right if they are at one point."""
     return list(xy(vector)) if abs(vector) > CENTRAL else [1, 0]
 
 

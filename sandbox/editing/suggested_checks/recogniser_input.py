@@ -146,7 +146,7 @@ class Scene:
     def free_until(
         self, name: str, path: Callable[[float], complex], besides: Sequence[str] = ()
     ) -> float:
-        """Return the time for which a body can move along a way without meeting another [s].
+        """Return the time for which a body can move along a path without meeting another [s].
 
         Other moving bodies are taken at their initial positions. Without contact nothing is met.
         """

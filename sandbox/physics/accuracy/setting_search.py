@@ -272,7 +272,7 @@ def own_run(
 def _candidates(level: Level, values: Values, target: float) -> Iterator[Stepping]:
     """Yield the steppings to try, each at its lowest rate; the best reference comes first.
 
-    For a smooth level it begins below the lowest rate that may be chosen, so as to show its order.
+    For a smooth level it begins below the lowest rate that may be chosen, to show its order.
     """
     rate = lowest_doubled_rate(level.stepping.rate) / (1 if level.effects.contact else 2)
     while rate * level.duration(values) > FEW and rate > LONGEST:

@@ -33,7 +33,7 @@ _UNKNOWN = ("tension", "push", "torque", "normal", "friction", "contact.normal",
 """Quantities that only a world of its own can measure."""
 
 Stop = Callable[[Mapping[str, Array], Array, World], int | None]
-"""Returns the row, among some instants, at which a run is over; None if it goes on."""
+"""Returns the row, among some instants, at which a run is over; None if it continues."""
 
 
 def can_be_batched(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:

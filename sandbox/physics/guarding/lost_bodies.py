@@ -26,7 +26,7 @@ class FreeFallWatch:
     """Watches bodies under uniform gravity alone, without contacts or joints.
 
     `last_good` is the last state that passed the checks. `is_doubtful` and `ignores_doubts` are
-    unused here: a run that it stops cannot go on.
+    unused here: a run that it stops cannot continue.
     """
 
     def __init__(self, scene: Scene, stepping: Stepping, start: Snapshot) -> None:

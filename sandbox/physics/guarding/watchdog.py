@@ -75,8 +75,8 @@ class Watchdog:
     """Watches a world from its start; n bodies.
 
     `start` and `contacts` are those at the start of the `run`. `last_good` is the last state that
-    passed the checks. `is_doubtful` tells whether it stopped a run that could go on but cannot be
-    trusted, because of an overlap, a joint error, or unexplained energy. `ignores_doubts` tells
+    passed the checks. `is_doubtful` tells whether it stopped a run that could continue but cannot
+    be trusted, because of an overlap, a joint error, or unexplained energy. `ignores_doubts` tells
     whether it lets such runs go on: it then stops only runs that are lost, or too large for a step.
     """
 

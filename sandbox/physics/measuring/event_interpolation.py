@@ -7,7 +7,7 @@ a kink, there are two cubics, which meet where they intersect, or at the time of
 located: Harten's subcell resolution (J. Comput. Phys. 83, 1989).
 
 For smooth runs, those of a scheme of order p > 2, the polynomial through p + 2 samples around the
-interval is far more accurate: its error falls faster with the step than theirs.
+interval is far more accurate: its error falls faster with the step.
 """
 
 from collections.abc import Callable, Iterator, Sequence

@@ -16,7 +16,7 @@ class AppliedForce(NamedTuple):
     name: str
     """Its name: `weight`, `normal force`, `tension`."""
     by: str
-    """The body or joint that exerts it; empty if the name says it."""
+    """The body or joint that exerts it; empty if the name implies it."""
     force: XY
     """The components [N]."""
     at: XY

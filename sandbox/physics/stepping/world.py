@@ -137,7 +137,7 @@ class World:
 
     @property
     def doubted(self) -> bool:
-        """Whether the run has stopped but could go on, with results that cannot be trusted."""
+        """Whether the run has stopped but could continue, with results that cannot be trusted."""
         return self._ended is not None and self._watch.is_doubtful
 
     def go_on(self) -> None:

@@ -11,7 +11,7 @@ from sandbox.model.shapes import Arc, Area, Curve, Hoop, Line, Polygon, Polyline
 from sandbox.model.translatable_message import Message, word
 
 MAX_MOTIONS = 1000
-"""The most kinematic bodies with a motion: so many take 0.8 s to check."""
+"""The most kinematic bodies with a motion: that many take 0.8 s to check."""
 
 MAX_SURFACES = 30_000
 """The most surfaces that may touch: pymunk takes more than 100 s to free 40,000 in a heap."""
@@ -20,7 +20,7 @@ HOLLOW = 20
 """The surfaces as which an arc, a curve or a hoop counts: each takes half a millisecond to make."""
 
 MAX_PAIRS_OF_EDGES = 10_000_000
-"""The most pairs of polygon edges: checking so many takes a second."""
+"""The most pairs of polygon edges: checking that many takes a second."""
 
 _FORBIDDEN: Mapping[str, tuple[str, ...]] = {
     "dynamic": ("motion",),

@@ -25,7 +25,7 @@ MOST_DIRECT = 1000
 """The most pairs for the direct solver, where they form one dense system."""
 
 MOST_HOLLOW = 1000
-"""The most pairs of arcs, hoops and curves: a step of so many nested arcs takes 70 ms."""
+"""The most pairs of arcs, hoops and curves: a step of that many nested arcs takes 70 ms."""
 
 BLOCK = 1_000_000
 """The number of pairs checked at once."""
@@ -63,7 +63,7 @@ def _moves(shape: pymunk.Shape) -> bool:
 
 
 def crowded(name: str, limit: int) -> Message:
-    """Return the reason for refusing so many pairs; `name` is the body in most of them."""
+    """Return the reason for refusing too many pairs; `name` is the body in most of them."""
     return Message(
         "more than {most:,} pairs of bodies are close to each other, too many for a step;"
         " '{name}' is in most of them: spread the bodies out",

@@ -1,7 +1,7 @@
 """Contacts and exact joints, solved together in one step.
 
 pymunk drifts and finds the contacts. Its own impulses are discarded: the velocities before the kick
-are kicked anew, and the impulses λ of joints, contacts and friction are found together, so that
+are kicked again, and the impulses λ of joints, contacts and friction are found together, so that
 after the next drift joints have kept their lengths, no gap has shrunk, and nothing slips that
 friction holds:
 
@@ -164,13 +164,13 @@ class DirectSolver:
         return self._build.without_correction(kept_lengths)
 
     def relay(self) -> None:
-        """Begin anew with other joints, at the present positions."""
+        """Start again with other joints, at the present positions."""
         self._build.relay()
         self._speculative.approaching.forget()
         self._begin_anew()
 
     def forget(self) -> None:
-        """Begin anew: bodies were put elsewhere."""
+        """Start again: bodies were moved."""
         self._build.forget()
         self._begin_anew()
 

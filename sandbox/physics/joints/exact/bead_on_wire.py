@@ -25,7 +25,7 @@ FINER = 4.0
 """The factor on the step rate that is advised after a larger turn."""
 
 REACH = 16
-"""If the foot of a bead is searched anew, it is within the wire's number of pieces over this, to
+"""If the foot of a bead is searched again, it is within the wire's number of pieces over this, to
 either side. Parts of the wire that come closer but are further along do not count."""
 
 SLACK = 1.0

@@ -14,7 +14,7 @@ contacts act from there on.
 It is also cut where friction ends a slip (see `slip_ends`), and sticks from there on if it can. A
 rope that becomes taut, or a stop that is reached, is an impact and cuts it too: `joint_catches`.
 
-Bodies that take no part go on as they were. A crowd that lands is stopped: `unlocated_landings`.
+Bodies that take no part continue as before. A crowd that lands is stopped: `unlocated_landings`.
 """
 
 from collections.abc import Sequence
@@ -68,7 +68,7 @@ STOPS = 2
 """The most ends of slips that are located in a drift."""
 
 AGAIN = 4
-"""How often, at most, a drift is followed anew because more bodies turn out to take part in it."""
+"""How often, at most, a drift is followed again because more bodies turn out to take part in it."""
 
 
 class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more)

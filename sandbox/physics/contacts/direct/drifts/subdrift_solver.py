@@ -1,4 +1,4 @@
-"""Solves a part of a drift for a chosen length, and its motion up to its end."""
+"""Solves a subdrift, a part of a drift, for a chosen length, and its motion up to its end."""
 
 from dataclasses import replace
 
@@ -21,8 +21,8 @@ BRIEF = 1e-3
 so short a time, rounding of gaps may require velocities that contradict each other."""
 
 SHORT = 0.1
-"""If the last part is shorter than this share of the drift, the forces that go on in the next step
-are solved again, as for a whole drift. In a short part they follow from small differences of
+"""If the last part is shorter than this share of the drift, the forces that continue in the next
+step are solved again, as for a whole drift. In a short part they follow from small differences of
 positions, which rounding spoils."""
 
 

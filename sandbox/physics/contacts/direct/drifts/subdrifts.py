@@ -1,4 +1,4 @@
-"""The parts of a drift that is cut where bodies land, and its outcome for the rest of the step."""
+"""Subdrifts: the parts of a drift that is cut where bodies land; and the outcome of the drift."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ JERKS = 1e-3
 
 
 class Subdrift(NamedTuple):
-    """A part of a drift, and the kick before it; r rows, N bodies with the plane.
+    """A part of a drift, and the kick before it: r rows, N bodies with the plane.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Subdrift(NamedTuple):
     stages
         The stages at its beginning before that kick.
     continuing_forces
-        (r,), the forces that go on after it, if its own are too rough for that; else None [N].
+        (r,), the forces that continue after it, if its own are too rough for that; else None [N].
     flat
         See `KickResult`.
     stopped_crowds
@@ -94,7 +94,7 @@ class Subdrift(NamedTuple):
 
     @property
     def later_forces(self) -> Array:
-        """(r,), the forces that go on after it [N]."""
+        """(r,), the forces that continue after it [N]."""
         return self.forces if self.continuing_forces is None else self.continuing_forces
 
     @property

@@ -81,12 +81,12 @@ class KickBuilder:
         return self.at(self._joints.pose())
 
     def relay(self) -> None:
-        """Begin anew with other joints, at the present positions."""
+        """Start again with other joints, at the present positions."""
         self._layouts.forget()
         self._span = nan, nan
 
     def forget(self) -> None:
-        """Begin anew: bodies were put elsewhere."""
+        """Start again: bodies were moved."""
         self._false.forget()
         self._corners.forget()
         self.shift = self._still

@@ -84,7 +84,7 @@ class ApproachingPairs:
         self._collide: set[Pair] = set()  # those that are known to collide
 
     def forget(self) -> None:
-        """Look at all pairs anew: joints changed, and what was one solid may collide."""
+        """Look at all pairs again: joints changed, and what was one solid may collide."""
         self._room[:], self._seen = 0.0, None
         self._collide.clear()
 

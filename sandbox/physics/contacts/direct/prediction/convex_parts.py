@@ -81,7 +81,7 @@ class ConvexPart(NamedTuple):
         )
 
     def seen(self, other: "ConvexPart", side: int) -> list[complex]:
-        """Return the corners of another part, seen from a side: height + i way along it [m]."""
+        """Return the corners of another part over a side: height + i × position along it [m]."""
         corner, across = self.corners[side], self.normals[side].conjugate()
         proud = self.rounding + other.rounding
         return [(far - corner) * across - proud for far in other.corners]

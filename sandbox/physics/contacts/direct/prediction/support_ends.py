@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints
 
 LEAST = 1e-8
-"""m, the least way past the end of a side that counts."""
+"""m, the least distance past the end of a side that counts."""
 
 MOST = 6
 """The largest motion of a point along a side, as a multiple of the largest coordinate change."""
@@ -161,7 +161,7 @@ class SupportEnds:
         return complex(normal * rotation[body]) if fastest > 0 else 0j
 
     def _all(self, kick: Kick, ahead: float) -> Iterator[EndCrossing]:
-        """Yield the contacts that may pass an end in a drift, given a bound of their way [m]."""
+        """Yield the contacts that may pass an end in a drift, given a bound of their path [m]."""
         touching = kick.layout.touching
         self._touching, self._last_positions, self._clearance = touching, kick.pose.values, inf
         corners = np.count_nonzero(self._sides.any[touching.bodies].all(axis=0))

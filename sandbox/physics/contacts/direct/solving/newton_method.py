@@ -78,7 +78,7 @@ def _with_settled(
 
 
 def _changes(layout: Layout, far: Booleans, active: Active, active_now: Active) -> Booleans:
-    """Return which rows are far from their targets, or active in another way than before: (r,)."""
+    """Return which rows are far from their targets, or whose activity has changed: (r,)."""
     changed = far | (active.on != active_now.on)
     changed[layout.slips] |= active.slip != active_now.slip
     return changed
