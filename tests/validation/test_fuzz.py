@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable, Generator, Iterator
@@ -69,6 +70,16 @@ def test_every_part_of_a_level_is_tried() -> None:
     assert set().union(*drawn) == schema()["properties"].keys() - {"$schema"}
     assert {"j1", "j2"} <= {joint for event in events for joint in event.get("cut", ())}
     assert Effects.model_fields.keys() & {name for event in events for name in event.get("off", ())}
+
+
+def test_formulas_are_tried_over_each_of_their_variables() -> None:
+    """Of fields only x was drawn, and of torques only t."""
+    effects = [level.get("effects", {}) for level in levels(240)]
+    fields = str([effect.get("field") for effect in effects])
+    torques = str([effect.get("torque") for effect in effects])
+
+    assert {"x", "y", "vx", "vy", "t"} <= set(re.findall(r"[a-z]+", fields))
+    assert {"theta", "omega", "t"} <= set(re.findall(r"[a-z]+", torques))
 
 
 def test_shorthand_is_tried() -> None:

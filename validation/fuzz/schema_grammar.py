@@ -17,9 +17,9 @@ HOSTILE: Sequence[float | str] = (
     "1/(p - 1)", "10**p", "log(p - 1)", "exp(700*p)", "where(p > 1, 1, 0)", "p % q", "nobody",
 )  # fmt: skip
 VARYING: Sequence[str] = ("{0}", "sin(9*{0})", "1 + 0.1*{0}", "1/{0}", "exp(9*{0})", "{0}**2")
-"""Formulas of the time, or of the parameter of a wire or a landscape."""
+"""Formulas of the time, a position, a velocity, or the parameter of a wire or a landscape."""
 
-_VARIABLE = re.compile(r"over the parameters and (\w)")
+_VARIABLES = re.compile(r"over the parameters and (\w+(?:, \w+)*)")
 
 WILD = 0.06
 """The probability of a hostile number; a level has dozens, and one is enough."""
@@ -29,7 +29,11 @@ RARE = 0.25
 
 BODIES = ("a", "b", "c", "d", "e")
 JOINTS = ("j1", "j2", "j3", "j4")
-QUANTITIES = ("system.energy", "a.position.x", "b.speed", "system.loss.friction", "t", "j1.tension")
+QUANTITIES = (
+    "system.energy", "a.position.x", "b.speed", "system.loss.friction", "t", "j1.tension",
+    "a.angle.max", "b.velocity.y.mean", "a.relative.b.distance", "a.contact.b.normal",
+    "a.acceleration", "system.unexplained_energy", "system.center.y", "j1.length.integral",
+)  # fmt: skip
 
 
 @cache
@@ -132,9 +136,9 @@ class Grammar:
         if "string" not in part["type"]:
             usual = (1, 10) if part["type"] == "integer" else (1, 60, 240, 1e-3, 10)
             return min(random.choice(usual), most / 2)
-        variable = _VARIABLE.search(part.get("$comment", ""))
-        if variable and random.random() < 0.5:
-            return random.choice(VARYING).format(variable[1])
+        variables = _VARIABLES.search(part.get("$comment", ""))
+        if variables and random.random() < 0.5:
+            return random.choice(VARYING).format(random.choice(variables[1].split(", ")))
         if random.random() < 0.4:
             return round(random.uniform(max(least, -5), min(most, 5)), 2)
         fitting = (n for n in ORDINARY if isinstance(n, str) or least < n <= most)
