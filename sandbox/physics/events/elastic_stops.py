@@ -93,8 +93,13 @@ class Bounces:
             self._together.end_added_impact()
 
     def release(self) -> None:
-        """Begin a step: release bodies that leave the stop on which they rest."""
+        """Begin a step: release bodies that leave the stop on which they rest.
+
+        A drift with landings was solved with the stop; they are released after it.
+        """
         self._work = 0
+        if self._scene.direct and self._scene.direct.drifts.drift_after:
+            return
         for side in sorted(self._resting):
             if not self._together.tension[self._rows(side)].any():
                 self._release_side(side)
