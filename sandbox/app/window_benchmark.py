@@ -5,6 +5,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from os.path import realpath
 from time import perf_counter, thread_time
 
 import numpy as np
@@ -97,8 +98,8 @@ def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
 
 def _switch(window: Window, name: str) -> float:
     """Open another level, then this one, and return the time until this one is shown [s]."""
-    path = level_catalog.find(name).resolve()
-    window.open_level(next(one for one in BEFORE if level_catalog.find(one).resolve() != path))
+    path = realpath(level_catalog.find(name))
+    window.open_level(next(one for one in BEFORE if realpath(level_catalog.find(one)) != path))
     _settle(window)
     begun = perf_counter()
     window.open_level(name)

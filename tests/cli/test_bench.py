@@ -77,3 +77,14 @@ def test_a_size_that_no_window_has_is_refused(size: str, run: Run) -> None:
 
     assert outcome.status == 2
     assert f"--size {size}" in outcome.err
+
+
+def test_a_link_to_itself_does_not_open(run: Run, tmp_path: Path) -> None:
+    """It ended the command with a traceback."""
+    path = tmp_path / "loop.json"
+    path.symlink_to(path)
+
+    outcome = run("bench", path, "--seconds", 0.1)
+
+    assert outcome.status == 1
+    assert "loop.json does not open" in outcome.err
