@@ -3,7 +3,7 @@
 import pygame
 
 from sandbox.app.stage import motion_annotations
-from sandbox.app.stage.overlays import velocities_and_given_forces as arrows
+from sandbox.app.stage.overlays import arrows as arrows
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 

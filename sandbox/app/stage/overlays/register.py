@@ -2,6 +2,7 @@
 
 from sandbox.app.stage.overlays import (
     accelerations,
+    arrows,
     center,
     components,
     contacts,
@@ -13,7 +14,6 @@ from sandbox.app.stage.overlays import (
     names,
     trail,
     turning,
-    velocities_and_given_forces,
 )
 from sandbox.app.stage.overlays.overlay import Overlay
 
@@ -25,7 +25,7 @@ OVERLAYS: tuple[Overlay, ...] = (
     momenta.OVERLAY,
     accelerations.OVERLAY,
     components.OVERLAY,
-    velocities_and_given_forces.OVERLAY,
+    arrows.OVERLAY,
     contacts.OVERLAY,
     turning.OVERLAY,
     forces.OVERLAY,

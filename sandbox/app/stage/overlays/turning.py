@@ -12,8 +12,8 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.body_outlines import Outline
+from sandbox.app.stage.overlays.arrows import time_ahead
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.overlays.velocities_and_given_forces import time_ahead
 from sandbox.app.stage.view import View
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
