@@ -88,7 +88,7 @@ def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
         took, passed = _play(window, max(round(seconds * RATE), 1))
     finally:
         window.close()
-        gc.unfreeze()  # what `look_through` froze, or every window would be kept to the end
+        gc.unfreeze()  # or every window would be kept to the end
     middle, late = (float(np.quantile(took, share)) for share in (0.5, 0.99))
     return Timing(
         level=name, first_picture=first_picture(name), switch=switch, cost=cost,

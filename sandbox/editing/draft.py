@@ -66,7 +66,7 @@ NEW = "<new level>"
 class Draft:
     """A level under edit: its JSON text, which may have mistakes.
 
-    `held` is the content of its file, if there is one.
+    `file_content` is the content of its file, if there is one.
     """
 
     def __init__(self, text: str, path: Path | None = None, file_content: bytes = b"") -> None:

@@ -255,6 +255,16 @@ def test_nothing_starts_at_a_centre_of_attraction(
     assert all("effects.attraction.0.center: 'ball' starts at the centre" in f for f in found)
 
 
+def test_a_velocity_without_a_value_does_not_hide_that_a_body_starts_at_a_centre() -> None:
+    sun = setting("effects.attraction", [{"mu": 1, "center": [0, 0]}])
+    fast = setting("bodies.ball.velocity", ["log(0*m)", 0])
+
+    found = said(mistakes(bare(), sun, fast))
+
+    assert any("'ball' starts at the centre" in f for f in found)
+    assert len(found) > 1
+
+
 def test_bodies_that_attract_each_other_cannot_start_at_one_place() -> None:
     pulls = setting("effects.gravitation", {"constant": 1})
     soft = setting("effects.gravitation", {"constant": 1, "softening": 0.1})

@@ -61,11 +61,11 @@ class RunGrader:
     def __init__(self, recorder: Recorder) -> None:
         self._recorder = recorder
         self._milestones: tuple[Milestone, ...] | None = ()  # None: to be determined on request
-        self._ration: TimeShare[tuple[Reading, ...]] = TimeShare(self._grade, ())
+        self._time_share: TimeShare[tuple[Reading, ...]] = TimeShare(self._grade, ())
 
     def readings(self, hurried: bool) -> tuple[Reading, ...]:
         """Return the results of the checks; if `hurried`, perhaps slightly old ones."""
-        return self._ration(len(self._recorder), hurried=hurried)
+        return self._time_share(len(self._recorder), hurried=hurried)
 
     def _grade(self) -> tuple[Reading, ...]:
         trace = self._recorder.trace
@@ -77,7 +77,7 @@ class RunGrader:
     def milestones(self) -> tuple[Milestone, ...]:
         """The events up to the last readings; the positions of their bodies must be recorded."""
         if self._milestones is None:
-            results = (reading.result for reading in self._ration.found)
+            results = (reading.result for reading in self._time_share.found)
             self._milestones = milestones(results, self._recorder.trace)
         return self._milestones
 

@@ -2,12 +2,16 @@
 
 They are spaced by computing time, so from the last one before a step it takes about as long to get
 there, wherever the step is.
+
+Earlier observations are measured in the world that goes back. That shows the same at any step
+unless events have switched forces or cut joints, so runs with events have no keyframes.
 """
 
 from time import thread_time
 from typing import NamedTuple
 
-from sandbox.physics.measuring.recording import Recorder
+from sandbox.model.events import breakable
+from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.stepping.saved_state import SavedState, can_be_saved
 from sandbox.physics.stepping.world import World
 
@@ -36,24 +40,28 @@ class Keyframes:
     """The keyframes of a run in one world, in the order of their steps."""
 
     def __init__(self, world: World) -> None:
-        self._world = world
+        self._world, level = world, world.level
+        self._has_events = bool(level.events or any(breakable(level.joints)))
         self._kept: list[Keyframe] = []
         self._spacing, self._due, self._spent = SPACING, SPACING, 0.0  # s
 
     def __len__(self) -> int:
         return len(self._kept)
 
-    def note(self, recorder: Recorder, seconds: float) -> None:
-        """Note that a step has taken some time [s], and save the state if it is time to."""
+    def note(self, recorded: int, ledger: Ledger | None, seconds: float) -> None:
+        """Note that a step has taken some time [s], and save the state if it is time to.
+
+        The recording has some instants, and perhaps a ledger of this world.
+        """
         self._spent += seconds
         last = self._kept[-1] if self._kept else None
         if last and self._world.steps <= last.step:
             self._spent = 0.0
-        elif self._spent >= self._due and can_be_saved(self._world):
+        elif self._spent >= self._due and self._can_be_saved():
             begun = thread_time()
             before = last.state if last else None
-            state = SavedState(self._world, recorder.ledger, before=before)
-            self._kept.append(Keyframe(self._world.steps, len(recorder), state))
+            state = SavedState(self._world, ledger, before=before)
+            self._kept.append(Keyframe(self._world.steps, recorded, state))
             self._spent = 0.0
             self._due = max(self._spacing, (thread_time() - begun) / SHARE)
             self._thin()
@@ -66,7 +74,10 @@ class Keyframes:
     def before(self, step: int) -> Keyframe | None:
         """Return the last keyframe up to a step; None if there is none, or if it cannot be used."""
         found = next((each for each in reversed(self._kept) if each.step <= step), None)
-        return found if found and can_be_saved(self._world) else None
+        return found if found and self._can_be_saved() else None
+
+    def _can_be_saved(self) -> bool:
+        return not self._has_events and can_be_saved(self._world)
 
     def forget_after(self, step: int) -> None:
         """Remove the keyframes after a step, from which the run takes another course."""

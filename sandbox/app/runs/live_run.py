@@ -137,15 +137,25 @@ class LiveRun:
         if recorded and not self._recorder.is_full:
             self._recorder.note()
         if not self.companions:
-            self.keyframes.note(self._recorder, thread_time() - begun)
+            ledger = self._recorder.ledger if self.world is self._recorded else None
+            self.keyframes.note(len(self._recorder), ledger, thread_time() - begun)
+
+    def keyframe_before(self, step: int) -> Keyframe | None:
+        """Return the last keyframe up to a step from which this run can go on; None without one.
+
+        A failed step has left no observations, and neither the balance nor companions go back.
+        """
+        if self.failure is not None or self.companions or self.books.kept:
+            return None
+        return self.keyframes.before(step)
 
     def at_keyframe(self, step: int) -> "LiveRun | None":
         """Return the run as it was at the last keyframe up to a step; None if there is none.
 
         It goes on in the world of this run, which keeps its observations and shows where it was.
         """
-        found = self.keyframes.before(step)
-        if found is None or self.companions or self.books.kept:
+        found = self.keyframe_before(step)
+        if found is None:
             return None
         whole, world = self._whole or self, self.world
         if whole.world.steps < world.steps:
@@ -163,7 +173,7 @@ class LiveRun:
         """
         steps = whole.world.steps - found.step
         self.world, self._whole = world, whole
-        self.failure, self.advice, self.trying = None, None, False
+        self.advice, self.trying = None, False
         self.trail, self.history = copy(self.trail), copy(self.history)
         self.trail.drop_last(steps)
         self.history.drop_last(steps)
@@ -224,7 +234,7 @@ class LiveRun:
         self.actions.append(action)
         if action.kind in ("place", "release"):
             self.books.hand_over()
-            self.keyframes = Keyframes(self.world)  # earlier observations end here
+            self._renew_keyframes()  # earlier observations end here
         if action.kind == "place":
             self._moved = True
             self.books.restart()
@@ -270,7 +280,10 @@ class LiveRun:
         self.contacts = FirstContacts(world)
         self.trail = ThinnedSeries(world.snapshot.position)
         self.history = History(world.snapshot)
-        self.keyframes, self._whole = Keyframes(world), None
+        self._renew_keyframes()
+
+    def _renew_keyframes(self) -> None:
+        self.keyframes, self._whole = Keyframes(self.world), None
 
     def release_what_is_held(self) -> None:
         """Release a body that the recorded actions have left grabbed."""
@@ -283,6 +296,7 @@ class LiveRun:
         self.world.go_on()
         self.failure, self.advice, self.trying = None, None, False
         self.books.restart()
+        self._renew_keyframes()
 
     @property
     def trace(self) -> Trace:

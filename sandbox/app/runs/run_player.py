@@ -137,7 +137,7 @@ class Playback(RunView, ABC):
         self.release()
         self.run.limits.continue_run()
         self.sought = sought
-        found = self.run.keyframes.before(sought)
+        found = self.run.keyframe_before(sought)
         if back or (found and found.step > self.world.steps):
             self._begin_again(sought, undone=undone)
         self._recall()

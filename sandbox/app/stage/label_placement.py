@@ -13,8 +13,8 @@ GAP = 4  # px, between two labels beside each other
 class Labels:
     """The areas of a picture that are occupied by labels and lines.
 
-    `kept` has the last place of each named label, as an index: a label stays there from picture to
-    picture while no other place is better.
+    `last_places` has the last place of each named label, as an index: a label stays there from
+    picture to picture while no other place is better.
     """
 
     def __init__(self, bounds: pygame.Rect, last_places: dict[str, int] | None = None) -> None:

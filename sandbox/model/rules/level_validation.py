@@ -35,7 +35,7 @@ PATIENCE = 5e5
 is the same on every machine."""
 
 EXHAUSTED = 3 * PATIENCE
-"""The work after which only the default values are tried [µs]."""
+"""The work after which expensive conditions are tried with the default values only [µs]."""
 
 
 def faults(level: Level) -> list[Fault]:
@@ -105,7 +105,8 @@ def _values(level: Level) -> Iterator[Fault]:
     least = FEWEST if sum(c.work for c in asked if c.names) * FEWEST < EXHAUSTED else 0
     for condition in asked:
         most = int(PATIENCE / varied / condition.work) if spared else MAX_CORNERS
-        for values in tried(condition.names, min(max(most, least), MAX_CORNERS)):
+        count = most if most >= FEWEST else least
+        for values in tried(condition.names, min(count, MAX_CORNERS)):
             if rule := condition.fault(values):
                 used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(condition.names))
                 reported = Message("{rule} when {used}", rule=rule, used=used) if used else rule

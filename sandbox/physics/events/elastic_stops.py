@@ -34,8 +34,8 @@ TOUCHING = 1e-9
 """m or rad, the distance at which a stop counts as touched."""
 
 WORK = 15_000
-"""The largest product of the bounces in a step and the equations of all joints, which each bounce
-solves anew: about a second of computing."""
+"""The largest product of the bounces in a step and the equations of all joints, `BOUNCE` more for
+each, which each bounce solves anew: about a second of computing."""
 
 BOUNCE = 40
 """The equations that take as long as what a bounce takes besides them."""
@@ -95,7 +95,8 @@ class Bounces:
     def release(self) -> None:
         """Begin a step: release bodies that leave the stop on which they rest.
 
-        A drift with landings was solved with the stop; they are released after it.
+        A drift with landings, wherever they are, was solved with the stop: they are released at the
+        first step before a drift without any.
         """
         self._work = 0
         if self._scene.direct and self._scene.direct.drifts.drift_after:

@@ -24,7 +24,7 @@ TRIES = 16
 
 SHORTER = 1 / 4
 
-POSITION_ROUNDING = 1e-14
+STRING_ROUNDING = 1e-14
 """The relative precision of positions, from which strings derive velocities."""
 
 Held = Callable[[], AbstractContextManager[None]]
@@ -60,7 +60,7 @@ class ContinuationSolver:
         self._kick, self._held = kick, held
         self.running = surfaces(scene.bodies.values())
         self.adds = np.zeros((len(scene.mass), 3))
-        self._blur = POSITION_ROUNDING / dt if scene.joints.strings else 0.0
+        self._blur = STRING_ROUNDING / dt if scene.joints.strings else 0.0
 
     def sense(self, slips: Slips, contacts: Contacts, velocity: Array, adds: Array) -> Array:
         """Return the directions of slip, given velocities and their change in a kick."""

@@ -89,8 +89,10 @@ class Forces:
         """Restore the state of the last kick after trial kicks."""
         saved = self._previous_velocity, self.law_motion, self._wrench
         self._wrench = self._wrench.copy()
-        yield
-        self._previous_velocity, self.law_motion, self._wrench = saved
+        try:
+            yield
+        finally:
+            self._previous_velocity, self.law_motion, self._wrench = saved
 
     def acceleration_with_hand(self, dt: float) -> Array:
         """Return the accelerations in a kick of a length [s], including the hand's: (n, 3)."""
@@ -211,9 +213,9 @@ def _path(
     nodes = [(0.0, at(last.state[:, 3:]))]
     if landed.first_fraction < 1:
         nodes.append((t, at(landed.stages_before[-1].velocity)))
-    for _, _, plugin in landed.kicks_between[:-1]:
-        t += plugin.duration
-        nodes.append((t, at(plugin.velocity)))
+    for _, _, stage in landed.kicks_between[:-1]:
+        t += stage.duration
+        nodes.append((t, at(stage.velocity)))
     nodes.append((dt, at(reading.state[:, 3:])))
     times = np.array([time for time, _ in nodes])
     weights = np.convolve(np.diff(times), (0.5, 0.5)) / dt

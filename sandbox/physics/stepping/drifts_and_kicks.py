@@ -113,8 +113,10 @@ class Kicks:
     def trial(self) -> Iterator[None]:
         """Hold all bodies for trial kicks, which leave no trace."""
         with self.forces.trial(), self._held_kicks.hold():
-            yield
-        self._joints.time(self.clock.dt, self.clock.dt)
+            try:
+                yield
+            finally:
+                self._joints.time(self.clock.dt, self.clock.dt)
 
     def settle(
         self, ahead: float, start: Array, length: float, drift: float, *, at_step: bool = False

@@ -2,8 +2,8 @@
 
 What moves is spread over the objects of a world: the clock, the forces of the last kicks, what the
 watchdog remembers, what events have cut. A list of all of it would have to be extended with every
-stage. So everything that can change is found by following the references from the world, and its
-content is put back into the same objects.
+step plugin. So everything that can change is found by following the references from the world, and
+its content is put back into the same objects.
 
 pymunk keeps more than can be read or written: the tree of bounding boxes, whose history decides in
 which order pairs are found, and the impulses from which its solver starts. Therefore only worlds

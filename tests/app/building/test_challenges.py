@@ -79,3 +79,21 @@ def test_a_button_acts_on_the_level_as_a_key_before_it_left_that(builder: Builde
     assert list(builder.document["bodies"]) == ["right"]
     (goal,) = builder.document["challenge"]["goals"]
     assert goal["quantity"] == "right.position.x"
+
+
+def test_of_two_buttons_of_one_caption_the_pressed_one_acts(builder: Builder) -> None:
+    for _ in range(2):
+        builder.act("Add a check")
+        builder.person.wait(0.1)
+    last = len(builder.document["checks"]) - 1
+    for path in (("checks",), ("checks", last)):
+        builder.open(*path)
+    builder.fill("1", "checks", last, "formula")
+    checks = builder.document["checks"]
+    alike = [button for button, act in builder.page._acts if act.caption == "− left.position.x"]
+    assert len(alike) == 2
+    builder.reach(alike[1])
+    builder.click(alike[1].rect)
+    builder.person.wait(0.1)
+
+    assert builder.document["checks"] == checks[:-1]

@@ -4,7 +4,11 @@ import numpy as np
 import pytest
 
 from sandbox.app.runs import keyframes, run_player
+from sandbox.app.runs.keyframes import Keyframes
 from sandbox.app.runs.session import Session
+from sandbox.app.runs.step_timer import StepTimer
+from sandbox.model.errors import SandboxError
+from sandbox.physics.stepping.world import World
 from tests.app.scenes import opened
 from tests.levels.playing import fingerprint
 
@@ -103,3 +107,66 @@ def test_keyframes_are_apart_by_computing_time(monkeypatch: pytest.MonkeyPatch) 
 
 def test_contacts_leave_no_keyframes() -> None:
     assert not len(run("momentum/cradle", 20).run.keyframes)
+
+
+def test_events_leave_no_keyframes() -> None:
+    """What was observed before an event would show the forces and joints after it."""
+    assert not len(run("machines/hammer-throw", 20).run.keyframes)
+
+
+def test_a_run_that_cannot_use_its_keyframes_is_not_repeated_to_go_ahead() -> None:
+    session = run("newton/atwood", 50)
+    session.go_to(10)
+    session.run.books.keep(True)
+    before = session.run
+
+    session.go_to(30)
+
+    assert session.run is before
+    assert session.world.steps == 30
+
+
+def test_a_run_goes_back_from_a_step_that_was_not_observed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A step that has computed too long is taken, but ends the run."""
+    session, alone = run("newton/atwood", 50), run("newton/atwood", 20)
+
+    def fail(_timer: StepTimer, world: World, _limit: object) -> None:
+        world.step()
+        raise SandboxError("a step takes too long")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(StepTimer, "take_step", fail)
+        session.step()
+    assert session.run.failure is not None
+    session.go_to(20)
+
+    assert session.failure is None
+    assert np.array_equal(session.history.rows, alone.history.rows)
+
+
+def test_after_a_failure_keyframes_begin_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    """So do the books of energies."""
+    monkeypatch.setattr(World, "go_on", lambda _: None)
+    session = run("newton/atwood", 50)
+    session.run.go_on()
+    for _ in range(10):
+        session.step()
+
+    assert len(session.run.keyframes) == 10
+    session.go_to(20)
+    assert len(session.books.history) > 20
+
+
+def test_keyframes_after_a_branch_hold_nothing_of_the_world_before(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    session = run("energy/refrigerator", 20)
+    session.branch({})
+    ledgers: list[object] = []
+    monkeypatch.setattr(Keyframes, "note", lambda *noted: ledgers.append(noted[2]))
+
+    session.step()
+
+    assert ledgers == [None]

@@ -57,7 +57,6 @@ class AccuracyPage:
         self._status = sheet.image(self._drawn_status(), y)
         self._below = y + sheet.px(HEIGHT) + 6
         self._rest = sheet.image(self._drawn_rest(), self._below)
-        self._world: object = None
         self.update()
 
     @property
@@ -80,9 +79,7 @@ class AccuracyPage:
 
     def update(self) -> None:
         """Show the results so far."""
-        if self._session.world is not self._world:
-            self._world = self._session.world
-            self._session.world.kicks.time_calls()
+        self._session.world.kicks.time_calls()  # a keyframe may have put back a state without it
         text = say(CANCEL if self._studying.running else MEASURE)
         if self.button.text != text:
             self.button.set_text(text)

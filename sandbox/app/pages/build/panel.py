@@ -97,12 +97,15 @@ class BuildPage:
     def _at_present(self, act: ButtonAction) -> Callable[[], object]:
         """Return what an action does to the present level.
 
-        A key may have changed the level since the page was drawn, and removed what the action is
-        about: then it does nothing.
+        A key may have changed the level since the page was drawn. Then it is the action of the same
+        caption now; if that is missing, or one of several, nothing is done.
         """
-        if self._version is not self._editor.bench.version:
-            self.update()
-        return next((new.do for _, new in self._acts if new.caption == act.caption), lambda: None)
+        if self._version is self._editor.bench.version:
+            return act.do
+        alike = [one.caption for _, one in self._acts].count(act.caption)
+        self.update()
+        now = [new.do for _, new in self._acts if new.caption == act.caption]
+        return now[0] if alike == len(now) == 1 else lambda: None
 
     def _choose(self, line: Line, element: object) -> None:
         if element is line.slider:

@@ -49,7 +49,7 @@ class EffectsPage:
         caption = say("Reset the effects")
         reset = pygame.Rect(0, y + 4, sheet.widest_button(caption), sheet.px(SWITCH))
         self.reset = sheet.button(reset, caption, say("play the level as it is declared"))
-        self._ration: TimeShare[tuple[Difference, ...]] = TimeShare(
+        self._time_share: TimeShare[tuple[Difference, ...]] = TimeShare(
             lambda: whatif.compared(session), ()
         )
         self._world = session.world
@@ -122,8 +122,8 @@ class EffectsPage:
             return unchanged(pen, width)
         if session.world is not self._world:
             self._world = session.world
-            self._ration = TimeShare(lambda: whatif.compared(session), ())
-        found = self._ration(session.world.steps + 1, hurried=session.playing)
+            self._time_share = TimeShare(lambda: whatif.compared(session), ())
+        found = self._time_share(session.world.steps + 1, hurried=session.playing)
         cost = whatif.cost(session)
         words, disturbed = level_translation.of(session.original), session.world.disturbed
         return compared(pen, width, session.changes.label, found, words, cost, disturbed=disturbed)

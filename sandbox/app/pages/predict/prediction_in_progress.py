@@ -95,7 +95,7 @@ class PredictionWorker(BackgroundTask):
 
     def _judge_from_now_on(self, session: Session, question: Check, predicted: float) -> None:
         self._world, self.outcome = session.world, None
-        self._ration: TimeShare[Outcome | None] = TimeShare(
+        self._time_share: TimeShare[Outcome | None] = TimeShare(
             lambda: judged(
                 question, session.trace, predicted, formula_holds=not session.world.disturbed
             ),
@@ -140,7 +140,7 @@ class PredictionWorker(BackgroundTask):
 
     def _judge(self, session: Session) -> None:
         before = self.outcome
-        self.outcome = self._ration(session.world.steps + 1, hurried=session.playing)
+        self.outcome = self._time_share(session.world.steps + 1, hurried=session.playing)
         if self.outcome != before:
             self.news = object()
 

@@ -25,19 +25,24 @@ from sandbox.model.translatable_message import Message
 NEAR = 1e-9
 """The distance below which positions count as equal [m]."""
 
-
 KEPT = 300
-"""The most choices of parameters for which the motions at the start are kept."""
+"""The most combinations of parameters for which the motions at the start are kept."""
 
 
 class _Starts:
-    """The motion of some bodies at the start; many fields and centres ask for it."""
+    """The motion of some bodies at the start; many fields and centres ask for it.
 
-    def __init__(self, level: Level, names: Iterable[str]) -> None:
-        self._bodies = {name: level.bodies[name] for name in names}
-        self.bodies = list(self._bodies)
-        motions = tuple((body.position, body.velocity) for body in self._bodies.values())
-        self.names = names_in(motions)
+    Without `velocities`, these are zero: what does not need them is told even if one has no value.
+    """
+
+    def __init__(self, level: Level, names: Iterable[str], *, velocities: bool = True) -> None:
+        bodies = {name: level.bodies[name] for name in names}
+        self.bodies = list(bodies)
+        self._motions = [
+            (body.position, body.velocity) if velocities else (body.position,)
+            for body in bodies.values()
+        ]
+        self.names = names_in(tuple(self._motions))
         """The parameters and constants on which it depends."""
         self._known: dict[int, tuple[Values, Mapping[str, Array]]] = {}
 
@@ -50,11 +55,11 @@ class _Starts:
             return known[1]
         if len(self._known) == KEPT:
             self._known.clear()
-        motions = [
-            (*evaluate(body.position, values), *evaluate(body.velocity, values), 0.0)
-            for body in self._bodies.values()
-        ]
-        columns = np.array(motions).reshape(-1, 5).T
+        columns = np.zeros((5, len(self.bodies)))
+        for column, motion in zip(columns.T, self._motions, strict=True):
+            column[: 2 * len(motion)] = [
+                part for point in motion for part in evaluate(point, values)
+            ]
         found = dict(zip(("x", "y", "vx", "vy", "t"), columns, strict=True))
         self._known[id(values)] = values, found  # an identity holds as long as its mapping
         return found
@@ -142,9 +147,9 @@ def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -
 def singular_forces(level: Level) -> Iterator[Condition]:
     """Yield the conditions that bodies start away from those that act on them, and from centres."""
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
-    start, among = _Starts(level, dynamic), names_in([level.bodies[n].position for n in dynamic])
+    start = _Starts(level, dynamic, velocities=False)
     for index, center in enumerate(level.effects.attraction or ()):
-        names = among | names_in((center.center, center.power))
+        names = start.names | names_in((center.center, center.power))
         wrong = partial(_centre_fault, center, start)
         yield Condition(
             ("effects", "attraction", index, "center"), names, wrong, 10 + 5 * len(dynamic)

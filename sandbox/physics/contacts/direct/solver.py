@@ -70,18 +70,18 @@ class DirectSolver:
         query: Query,
     ) -> None:
         self._batch, self._joints, self._dt = batch, joints, dt
-        self._moves: Booleans = inertia[:, 0] > 0
-        self._fixed, self._none = np.flatnonzero(~self._moves), np.zeros(len(inertia), dtype=bool)
+        self._movable: Booleans = inertia[:, 0] > 0
+        self._fixed, self._none = np.flatnonzero(~self._movable), np.zeros(len(inertia), dtype=bool)
         self._meets = any(body.shapes for body in query.bodies)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
-        self._order = coordinate_indices(len(inertia))
+        self._indices = coordinate_indices(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
         self._pre_kick = self._acceleration = self._change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
         self._warm, self._pulls = WarmStart(), Pulls()
         self._crowd: Booleans | None = None  # the one that was stopped in this kick
-        self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._warm)
-        self._speculative = SpeculativeContacts(query, surfaces, self._moves)
+        self._build = KickBuilder(batch, joints, surfaces, self._movable, query, self._warm)
+        self._speculative = SpeculativeContacts(query, surfaces, self._movable)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
@@ -145,7 +145,7 @@ class DirectSolver:
         divided = self.drifts.drift_after
         after = divided.post_kick_velocity if divided else self._batch.velocity()
         if landed:
-            after = landed.whole.velocity[self._order]
+            after = landed.whole.velocity[self._indices]
         self._change = (after - self._pre_kick) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
@@ -218,7 +218,7 @@ class DirectSolver:
         if leaning is not None:
             taken = solve_kick(leaning, start, self._warm)
         self.last, self.stages, self._taken = taken.impacts or self._calm, taken.stages, taken
-        self._batch.set_velocity(taken.velocity.take(self._order))
+        self._batch.set_velocity(taken.velocity.take(self._indices))
         self._warm.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.impulse, taken.active)
 
@@ -250,8 +250,8 @@ class DirectSolver:
         found = through(kick, start.acceleration, self._until, takes)
         first = found.first
         self.last = first.impacts or self._calm
-        mean = found.displacement[self._order] / self._joints.drift
-        self.drifts.divide(found.drift_record(self._batch.state()[:, :3], self._order), mean)
+        mean = found.displacement[self._indices] / self._joints.drift
+        self.drifts.divide(found.drift_record(self._batch.state()[:, :3], self._indices), mean)
         self._batch.set_velocity(mean)
         self._warm.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.full_impulse, first.active)
@@ -286,7 +286,7 @@ class DirectSolver:
         if landings.crowd.any():
             self._crowd = landings.crowd | calm
             self._stop(whole.kick, self._crowd)
-            return None if calm[self._moves].all() else self._land(until, self._crowd)
+            return None if calm[self._movable].all() else self._land(until, self._crowd)
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
@@ -324,8 +324,8 @@ class DirectSolver:
 
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""
-        values = np.zeros((len(rates), 3 * len(self._moves) + 3))
-        values[:, self._order] = rates
+        values = np.zeros((len(rates), 3 * len(self._movable) + 3))
+        values[:, self._indices] = rates
         return values
 
     def _driven(self) -> bool:

@@ -49,7 +49,7 @@ MOST = 1000
 
 def make(setup: Setup) -> Plugin:
     """Make the plugin."""
-    acting = EventStage(setup)
+    acting = EventPlugin(setup)
     return Plugin(
         before_drift=acting.perform,
         started=acting.start,
@@ -59,7 +59,7 @@ def make(setup: Setup) -> Plugin:
     )
 
 
-class EventStage:
+class EventPlugin:
     """Waits for the events of a level, and performs them; n bodies."""
 
     def __init__(self, setup: Setup) -> None:

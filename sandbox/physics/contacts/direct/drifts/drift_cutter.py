@@ -330,7 +330,7 @@ class DriftCutter(SubdriftSolver):
         """
         some, approach, before = self._arrived(part, struck, catching)
         begun, pushes, pairs = coupled_impacts.solve_impacts(some, approach, struck, part.active)
-        stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
+        stages = *before, Stage.of(part.kick, 0.0, begun[self._indices], pushes)
         landed = part.kick.layout.touching.pair[struck]
         time = self._whole.drift - part.time_left + part.drift
         self.record.note(pairs, time, stages[1].contacts, landed)

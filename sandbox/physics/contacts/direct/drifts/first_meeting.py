@@ -90,7 +90,7 @@ class MeetingFinder:
 
     def __init__(self, speculative: SpeculativeContacts, laws: Array) -> None:
         self._speculative, self._laws = speculative, laws
-        self._order = coordinate_indices(len(laws) // 3 - 1)
+        self._indices = coordinate_indices(len(laws) // 3 - 1)
 
     def ahead(self, part: Subdrift, calm: Callable[[Pair], bool]) -> PossibleMeetings:
         """Return what may meet in a part of a drift, but for pairs that are `calm`."""
@@ -120,7 +120,7 @@ class MeetingFinder:
         def left(one: EndCrossing, t: float) -> float:
             return one.distance_left(at(t))
 
-        path = Path(pose[self._order], velocity[self._order], total[self._order])
+        path = Path(pose[self._indices], velocity[self._indices], total[self._indices])
         near = self._speculative.approaching
         hits = near.meet(path, longest, pairs) if pairs else []
         hits = [hit for hit in hits if not carries_on(part, path, hit, near.outlines)]
@@ -148,12 +148,12 @@ class MeetingFinder:
 
         `ended` is the part of the drift up to there, with the kick there, `velocity`, (3 N,), are
         the velocities there [m/s, rad/s], and `met` is what passes. `pairs` are the bodies to
-        consider, which did not touch before.
+        consider.
         """
         speculative, pose = self._speculative, ended.kick.pose
         guests = {one.bodies[1] for one in met.passing}
         some = [pair for pair in pairs if guests & {*pair}]
-        path = Path(*(rates[self._order] for rates in (pose.values, velocity, self._laws)))
+        path = Path(*(rates[self._indices] for rates in (pose.values, velocity, self._laws)))
         left = ended.time_left - ended.drift
         corners, hits = speculative.approaching.touching(path, BEYOND * left, some)
         gives = left * np.abs(path.acceleration[:, :2]).max()
@@ -173,7 +173,7 @@ class MeetingFinder:
             ended.end,
             self._laws + ended.constraint_acceleration,
         )
-        path = Path(*(rates[self._order] for rates in (pose.values, ended.velocity, total)))
+        path = Path(*(rates[self._indices] for rates in (pose.values, ended.velocity, total)))
         corners, hits = speculative.approaching.touching(path, 0.0, pairs)
         gives = (ended.time_left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if abs(hit.parting) <= gives]

@@ -38,7 +38,7 @@ class SubdriftSolver:
     def __init__(self, laws: Array, until: float, *, driven: bool) -> None:
         self._laws, self._until, self._driven = laws, until, driven
         count = len(laws) // 3 - 1
-        self._order = coordinate_indices(count)
+        self._indices = coordinate_indices(count)
         self.reached: Booleans = np.zeros(count, dtype=bool)
 
     def _solved(self, part: Subdrift, drift: float, duration: float) -> Subdrift:
@@ -121,5 +121,5 @@ class SubdriftSolver:
         return (
             some,
             approach,
-            (Stage.of(part.kick, half, approach[self._order], to_it + half * others),),
+            (Stage.of(part.kick, half, approach[self._indices], to_it + half * others),),
         )

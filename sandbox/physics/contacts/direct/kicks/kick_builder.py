@@ -23,7 +23,7 @@ class KickBuilder:
     """Builds the system of each kick; n bodies, m equations of joints.
 
     `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved;
-    `moves`, (n,), tells which are dynamic. `warm_start` is the last kick, for the correction of
+    `movable`, (n,), tells which are dynamic. `warm_start` is the last kick, for the correction of
     overlaps. `contacts` are those of the present kick, and `shift`, (n, 3), are the displacements
     by the correction of overlaps in this step [m, rad]; `corrects` tells whether it may be made:
     once, however often the kick is repeated.
@@ -39,7 +39,7 @@ class KickBuilder:
         warm_start: WarmStart,
     ) -> None:
         self._batch, self._joints, self._surfaces = batch, joints, surfaces
-        self._moves, self._order = movable, coordinate_indices(len(movable))
+        self._movable, self._indices = movable, coordinate_indices(len(movable))
         self._still: Array = np.zeros((len(movable), 3))
         self._still.setflags(write=False)
         self._span = 0.0, 0.0  # of the drift after the kick [s]
@@ -103,7 +103,7 @@ class KickBuilder:
             return kick
         self.corrects = False
         state = self._batch.state()
-        self.shift = np.where(self._moves[:, None], displacement[self._order], 0.0)
+        self.shift = np.where(self._movable[:, None], displacement[self._indices], 0.0)
         state[:, :3] += self.shift
         self._batch.set_state(state)
         corrected_pose = Coordinates(pose.values + displacement)

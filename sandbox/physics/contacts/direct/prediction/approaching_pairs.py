@@ -48,7 +48,7 @@ class ApproachingPairs:
     """Keeps lower bounds of the distances between bodies, to find those that may meet; n bodies.
 
     `query` knows the bodies, and which of them pass through others; `shapes` are their parts,
-    `surfaces` has their contact properties, and `moves`, (n,), tells which are dynamic. `hollows`
+    `surfaces` has their contact properties, and `movable`, (n,), tells which are dynamic. `hollows`
     are the pairs of a hollow body and another; `beside`, (n, n), tells which pairs that
     touch may also meet at another place.
     """

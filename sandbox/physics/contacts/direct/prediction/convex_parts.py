@@ -219,10 +219,10 @@ class ConvexParts:
         a, b = pair
         if self.single[a] and self.single[b]:
             return [(0, 0)]
-        displacement, apart = self._displacements(pair, here.pose)
-        later, _ = self._displacements(pair, there.pose)
+        offset, apart = self._offsets(pair, here.pose)
+        later, _ = self._offsets(pair, there.pose)
         around = self._radius[a][:, None] + self._radius[b] + fall
-        far = (apart > around) & ((later * displacement.conj()).real > around * apart)
+        far = (apart > around) & ((later * offset.conj()).real > around * apart)
         return [(int(first), int(second)) for first, second in np.argwhere(~far).tolist()]
 
     def gap(self, pair: Pair, parts: PlacedParts, *, beside: bool = False) -> float:
@@ -247,11 +247,11 @@ class ConvexParts:
     def _between(self, pair: Pair, pose: Coordinates) -> Array:
         """Return the distances between the enclosing discs of two bodies' parts: (k, l) [m]."""
         a, b = pair
-        apart = self._displacements(pair, pose)[1]
+        apart = self._offsets(pair, pose)[1]
         return np.asarray(apart - self._radius[a][:, None] - self._radius[b])
 
-    def _displacements(self, pair: Pair, pose: Coordinates) -> tuple[Complexes, Array]:
-        """Return the displacements between the middles of two bodies' parts, and their lengths."""
+    def _offsets(self, pair: Pair, pose: Coordinates) -> tuple[Complexes, Array]:
+        """Return the vectors between the middles of two bodies' parts, and their lengths."""
         one, other = (pose.position[c] + self._middle[c] * pose.rotation[c] for c in pair)
-        displacement = other - one[:, None]
-        return displacement, np.abs(displacement)
+        offset = other - one[:, None]
+        return offset, np.abs(offset)

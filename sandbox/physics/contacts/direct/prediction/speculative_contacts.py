@@ -93,9 +93,9 @@ class SpeculativeContacts:
     """Finds the corners that meet a side within a drift; n bodies.
 
     `query` knows the bodies, and which of them pass through others; `surfaces` has their contact
-    properties, and `moves`, (n,), tells which are dynamic. `approaching` finds the pairs of bodies
-    that do not touch, but might; `ends` finds the contacts that pass the ends of sides. `dull`,
-    (n, n), tells which pairs lose nearly all their energy in an impact.
+    properties, and `movable`, (n,), tells which are dynamic. `approaching` finds the pairs of
+    bodies that do not touch, but might; `ends` finds the contacts that pass the ends of sides.
+    `dull`, (n, n), tells which pairs lose nearly all their energy in an impact.
     """
 
     def __init__(self, query: Query, surfaces: Surfaces, movable: Booleans) -> None:

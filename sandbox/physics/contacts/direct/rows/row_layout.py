@@ -199,7 +199,7 @@ class Layouts:
     """
 
     def __init__(self, joints: ExactJoints, surfaces: Surfaces, movable: Booleans) -> None:
-        self._joints, self._surfaces, self._moves = joints, surfaces, movable
+        self._joints, self._surfaces, self._movable = joints, surfaces, movable
         self._last: tuple[Contacts, int, Layout] | None = None
 
     def forget(self) -> None:
@@ -216,7 +216,7 @@ class Layouts:
 
     def new_layout(self, contacts: Contacts) -> Layout:
         """Return the layout for some contacts without remembering it."""
-        return lay_out(contacts, self._joints, self._surfaces, self._moves)
+        return lay_out(contacts, self._joints, self._surfaces, self._movable)
 
 
 def _alike_in(one: Contacts, other: Contacts) -> bool:
