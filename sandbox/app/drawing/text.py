@@ -71,8 +71,8 @@ class Pen:
         self.scale = scale
         self._fonts = lru_cache(maxsize=32)(_font)
         self._spare_fonts = lru_cache(maxsize=8)(_spare)
-        self.write = lru_cache(maxsize=600)(self._write)
-        self.outlined = lru_cache(maxsize=200)(self._outlined)
+        self.write = lru_cache(maxsize=300)(self._write)
+        self.outlined = lru_cache(maxsize=100)(self._outlined)
 
     def px(self, length: float) -> int:
         """Return a length, given at the standard scale, at the current one [px]."""
