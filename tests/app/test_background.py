@@ -146,7 +146,7 @@ def test_a_window_that_is_killed_leaves_no_orphan() -> None:
         "    background.start(work.dawdle)\n"
         "    found = []\n"
         "    while background.running and not found:\n"
-        "        found = list(background.found())\n"
+        "        found = list(background.results())\n"
         "        time.sleep(0.01)\n"
         "    print(found[0], flush=True)\n"
         "    time.sleep(600)\n"

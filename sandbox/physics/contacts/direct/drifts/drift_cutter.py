@@ -108,7 +108,7 @@ class DriftCutter(SubdriftSolver):
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
         A body in a later landing has to be followed from the first one on if other bodies press on
-        it. So those that may land are; if another one does, the drift is followed once more.
+        it. So then the drift is followed once more from its start.
         """
         joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole
         try:
@@ -174,8 +174,7 @@ class DriftCutter(SubdriftSolver):
             return ()
         if met and ((halted := self._halted(part, met, number, saved[0])) or self.crowd.any()):
             return halted
-        begins = ahead.pairs if self._early is None else ()  # later ones would be late
-        self._add_bodies(around(kick, [*(met.pairs if met else ()), *sunk, *begins]))
+        self._add_bodies(around(kick, [*(met.pairs if met else ()), *sunk]))
         self._early = self.reached if self._early is None else self._early
         try:
             if met:
