@@ -36,7 +36,7 @@ def test_one_click_makes_a_number_a_parameter(builder: Builder) -> None:
     builder.tool("disc")
     builder.drag((0, 3), (1, 3))
     builder.click(builder.page.inspector.parametrise_button("bodies", "disc1", "mass").rect)
-    builder.person.wait(0.1)
+    builder.person.wait(1.0)  # changes are applied after a pause that grows with their cost
 
     assert builder.document["bodies"]["disc1"]["mass"] == "mass"
     assert "mass" in builder.person.session.level.parameters
