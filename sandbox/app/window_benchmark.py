@@ -5,7 +5,6 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
-from os.path import realpath
 from time import perf_counter, thread_time
 
 import numpy as np
@@ -18,6 +17,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.window import RATE, Window
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.file_writing import without_links
 from sandbox.model.translatable_message import Message
 
 STARTS = 2
@@ -98,8 +98,8 @@ def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
 
 def _switch(window: Window, name: str) -> float:
     """Open another level, then this one, and return the time until this one is shown [s]."""
-    path = realpath(level_catalog.find(name))
-    window.open_level(next(one for one in BEFORE if realpath(level_catalog.find(one)) != path))
+    path = without_links(level_catalog.find(name))
+    window.open_level(next(one for one in BEFORE if without_links(level_catalog.find(one)) != path))
     _settle(window)
     begun = perf_counter()
     window.open_level(name)

@@ -22,6 +22,7 @@ from sandbox.app.widgets.text_field import LONGEST, Field
 from sandbox.app.widgets.widget_helpers import Row, scroll_position, scroll_to, show_pressed
 from sandbox.app.words.language import plural, say
 from sandbox.model import level_catalog
+from sandbox.model.file_writing import without_links
 
 ROW = 28  # px
 HEADING = 34  # px
@@ -38,7 +39,7 @@ def entries() -> list[Entry]:
     """Return the levels of the catalogue."""
     found, folder = [], level_catalog.root()
     for name in level_catalog.names():
-        path = (folder / f"{name}.json").resolve()
+        path = without_links(folder / f"{name}.json")
         if path.is_file():  # it may be gone since it was listed
             found.append(entry(path, name.partition("/")[0]))
     return found
