@@ -210,7 +210,7 @@ class ConvexParts:
             near = np.argwhere(self._between(pair, parts.pose) < 0)
             yield from ((int(first), int(second)) for first, second in near.tolist())
 
-    def near(self, pair: Pair, here: PlacedParts, there: PlacedParts, fall: float) -> list[Pair]:
+    def near(self, pair: Pair, start: PlacedParts, end: PlacedParts, fall: float) -> list[Pair]:
         """Return the pairs of parts of two bodies that may meet between two placements.
 
         For all others the enclosing discs stay apart along the direction between them at first, in
@@ -218,9 +218,12 @@ class ConvexParts:
         """
         a, b = pair
         if self.single[a] and self.single[b]:
-            return [(0, 0)]
-        offset, apart = self._offsets(pair, here.pose)
-        later, _ = self._offsets(pair, there.pose)
+            (one, other), (later_one, later_other) = (at.both(pair, (0, 0)) for at in (start, end))
+            shift, reach = other.middle - one.middle, one.radius + other.radius + fall
+            along = ((later_other.middle - later_one.middle) * shift.conjugate()).real
+            return [] if abs(shift) > reach and along > reach * abs(shift) else [(0, 0)]
+        offset, apart = self._offsets(pair, start.pose)
+        later, _ = self._offsets(pair, end.pose)
         around = self._radius[a][:, None] + self._radius[b] + fall
         far = (apart > around) & ((later * offset.conj()).real > around * apart)
         return [(int(first), int(second)) for first, second in np.argwhere(~far).tolist()]

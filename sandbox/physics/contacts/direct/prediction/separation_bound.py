@@ -99,18 +99,11 @@ Both = tuple[ConvexPart, ConvexPart]
 
 
 def _stay_apart(start: Both, end: Both, falls: tuple[float, float, float]) -> bool:
-    """Return whether two parts certainly stay apart between two placements.
+    """Return whether two parts that are near certainly stay apart between two placements.
 
     `falls` bounds how far heights over sides of the first and of the second part, and distances
     along a fixed direction, may fall in between [m].
     """
-    resting = falls[2]
-    offset = start[1].middle - start[0].middle
-    apart, around = abs(offset), start[0].radius + start[1].radius + resting
-    if apart > around:
-        later = end[1].middle - end[0].middle
-        if (later * offset.conjugate()).real > around * apart:
-            return True
     for own in (0, 1):
         if start[own].normals:
             high, side = start[own].shows(start[1 - own])
@@ -118,7 +111,7 @@ def _stay_apart(start: Both, end: Both, falls: tuple[float, float, float]) -> bo
                 return True
     offset = min([q - p for p in start[0].corners for q in start[1].corners], key=abs)
     return bool(offset) and all(
-        _apart(both, offset / abs(offset)) > resting for both in (start, end)
+        _apart(both, offset / abs(offset)) > falls[2] for both in (start, end)
     )
 
 
