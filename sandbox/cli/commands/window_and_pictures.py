@@ -25,7 +25,7 @@ from sandbox.cli.commands.options import (
 def uncollected() -> Iterator[None]:
     """Collect no garbage up to the first picture, as there is hardly any before.
 
-    Then `Window.look_through` collects it, and from there on it is collected as usual.
+    Then `Window.preload` collects it, and from there on it is collected as usual.
     """
     gc.disable()
     try:

@@ -10,6 +10,7 @@ from sandbox.app.runs.step_timer import StepTimer
 from sandbox.model.errors import SandboxError
 from sandbox.physics.stepping.world import World
 from tests.app.scenes import opened
+from tests.app.test_time_travel import go_to
 from tests.levels.playing import fingerprint
 
 
@@ -40,7 +41,7 @@ def test_all_that_was_observed_is_as_in_a_run_that_was_never_longer(name: str) -
     session, alone = run(name, 50), run(name, 20)
 
     for step in (10, 40, 20):
-        session.go_to(step)
+        go_to(session, step)
 
     assert fingerprint(session.world.snapshot) == fingerprint(alone.world.snapshot)
     for column, values in alone.trace.columns.items():
@@ -62,7 +63,7 @@ def test_a_run_goes_back_and_ahead_without_a_step(monkeypatch: pytest.MonkeyPatc
 
 def test_a_run_that_went_back_is_played_on_to_the_same_bits() -> None:
     session, alone = run("lagrange/double-pendulum", 40), run("lagrange/double-pendulum", 60)
-    session.go_to(15)
+    go_to(session, 15)
 
     for _ in range(45):
         session.step()
@@ -73,14 +74,14 @@ def test_a_run_that_went_back_is_played_on_to_the_same_bits() -> None:
 
 def test_another_future_does_not_use_the_keyframes_of_the_old_one() -> None:
     session = run("newton/atwood", 50)
-    session.go_to(20)
+    go_to(session, 20)
     session.branch({"m1": 3.0})
     for _ in range(10):
         session.step()
     state = fingerprint(session.world.snapshot)
 
-    session.go_to(25)
-    session.go_to(30)
+    go_to(session, 25)
+    go_to(session, 30)
 
     assert fingerprint(session.world.snapshot) == state
     assert session.values["m1"] == 3.0
@@ -116,11 +117,11 @@ def test_events_leave_no_keyframes() -> None:
 
 def test_a_run_that_cannot_use_its_keyframes_is_not_repeated_to_go_ahead() -> None:
     session = run("newton/atwood", 50)
-    session.go_to(10)
+    go_to(session, 10)
     session.run.books.keep(True)
     before = session.run
 
-    session.go_to(30)
+    go_to(session, 30)
 
     assert session.run is before
     assert session.world.steps == 30
@@ -140,7 +141,7 @@ def test_a_run_goes_back_from_a_step_that_was_not_observed(
         patched.setattr(StepTimer, "take_step", fail)
         session.step()
     assert session.run.failure is not None
-    session.go_to(20)
+    go_to(session, 20)
 
     assert session.failure is None
     assert np.array_equal(session.history.rows, alone.history.rows)
@@ -155,7 +156,7 @@ def test_after_a_failure_keyframes_begin_anew(monkeypatch: pytest.MonkeyPatch) -
         session.step()
 
     assert len(session.run.keyframes) == 10
-    session.go_to(20)
+    go_to(session, 20)
     assert len(session.books.history) > 20
 
 
