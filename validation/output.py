@@ -16,9 +16,9 @@ from typing import Any, TypeVar
 
 import typer
 from rich.console import Console
-from rich.progress import track
 from rich.table import Table
 
+from sandbox import progress_bar
 from sandbox.model.file_writing import write_atomically
 from sandbox.processes import spread
 from sandbox.version import __version__
@@ -30,13 +30,6 @@ T = TypeVar("T")
 Item = TypeVar("Item")
 
 
-def progress(things: Iterable[T], label: str, total: int) -> list[T]:
-    """Consume an iterable, with progress on a terminal, and return its items."""
-    console = Console(stderr=True)
-    hidden = not console.is_terminal
-    return list(track(things, label, total, console=console, transient=True, disable=hidden))
-
-
 def spread_in_order(
     work: Callable[[Item], T], items: Sequence[Item], label: str, jobs: int | None = None
 ) -> list[T]:
@@ -44,7 +37,7 @@ def spread_in_order(
 
     For the processes see `sandbox.processes.spread`.
     """
-    found = dict(progress(spread(work, items, jobs), label, len(items)))
+    found = dict(progress_bar.consume(spread(work, items, jobs), label, len(items)))
     return [found[number] for number in range(len(items))]
 
 

@@ -15,6 +15,7 @@ from time import process_time
 import numpy as np
 from rich.table import Table
 
+from sandbox import progress_bar
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import count_steps
@@ -139,7 +140,7 @@ def measure(names: Sequence[str], json_file: Path | None) -> list[str]:
     names = list(names) or level_catalog.names()
     for name in names:
         level_catalog.find(name)
-    found = output.progress(map(pace, names), "Measuring what levels need", len(names))
+    found = progress_bar.consume(map(pace, names), "Measuring what levels need", len(names))
     with output.written(output.content(levels=found), json_file):
         output.show(table(found))
     slow = [each.level for each in found if not each.in_time]

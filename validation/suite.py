@@ -6,6 +6,7 @@ from functools import cache
 
 from rich.table import Table
 
+from sandbox import progress_bar
 from sandbox.processes import spread
 from validation import output
 from validation.case import Case, Outcome, run, together
@@ -25,7 +26,9 @@ def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
     level cannot be run.
     """
     found = dict(
-        output.progress(_found(cases, jobs or os.cpu_count() or 1), "Running cases", len(cases))
+        progress_bar.consume(
+            _found(cases, jobs or os.cpu_count() or 1), "Running cases", len(cases)
+        )
     )
     return [found[row] for row in range(len(cases))]
 

@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
-from rich.console import Console
-from rich.progress import track
 
+from sandbox import progress_bar
 from sandbox.cli import argument_parsing
 from sandbox.cli.render import go_headless
 from sandbox.cli.text_columns import aligned
@@ -41,9 +40,9 @@ def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | N
     go_headless()
     from sandbox.app.window_benchmark import time_window
 
-    console = Console(stderr=True)
-    levels = track(list(names) or level_catalog.names(), "Playing", console=console, transient=True)
-    found = [time_window(name, window, seconds) for name in levels]
+    levels = names or level_catalog.names()
+    timed = (time_window(name, window, seconds) for name in levels)
+    found = progress_bar.consume(timed, "Playing", len(levels))
     try:
         for line in aligned([_HEADER, *_rows(found)]):
             typer.echo(line)

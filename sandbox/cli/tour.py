@@ -6,10 +6,10 @@ from pathlib import Path
 
 import typer
 from rich.console import Console
-from rich.progress import Progress
 from rich.table import Table
 from rich.text import Text
 
+from sandbox import progress_bar
 from sandbox.cli import argument_parsing, check_report
 from sandbox.cli.render import go_headless
 from sandbox.cli.tour_visit import Visit, visit
@@ -78,11 +78,8 @@ def tour(folder: Path) -> int:
 
 def _visits(folder: Path) -> list[Visit]:
     go_headless()
-    progress = Console(stderr=True)
-    with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
-        return [
-            visit(name, folder) for name in bar.track(level_catalog.names(), description="Tour")
-        ]
+    names = level_catalog.names()
+    return progress_bar.consume((visit(name, folder) for name in names), "Tour", len(names))
 
 
 def _write(path: Path, visits: Sequence[Visit]) -> SandboxError | None:

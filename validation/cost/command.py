@@ -8,6 +8,7 @@ from pathlib import Path
 
 import typer
 
+from sandbox import progress_bar
 from sandbox.model import level_catalog
 from sandbox.model.file_writing import folder_of_files
 from sandbox.optional_packages import needed_for
@@ -73,7 +74,7 @@ def content(found: Sequence[Sweep]) -> dict[str, object]:
 def sweep_all(names: Sequence[str], *, quick: bool) -> list[Sweep]:
     """Sweep levels, with progress on a terminal."""
     found = sweeps(names, QUICK if quick else Budget())
-    return output.progress(found, "Measuring what accuracy costs", len(names))
+    return progress_bar.consume(found, "Measuring what accuracy costs", len(names))
 
 
 def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import typer
 
+from sandbox import progress_bar
 from validation import output
 from validation.stability import frontier_history
 from validation.stability.families import all_cases, all_frontiers
@@ -34,7 +35,7 @@ def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
 def measured(*, quick: bool) -> list[Outcome]:
     """Run all hard cases, and search for all frontiers."""
     names = [c.name for c in all_cases()] + [f.name for f in all_frontiers()]
-    found = output.progress(outcomes(quick=quick), "Hard cases", len(names))
+    found = progress_bar.consume(outcomes(quick=quick), "Hard cases", len(names))
     return sorted(found, key=lambda outcome: names.index(outcome.name))
 
 
