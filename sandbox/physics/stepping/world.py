@@ -208,10 +208,11 @@ class World:
         """
         from sandbox.physics.stepping import grabbing_and_placing
 
-        grabbing_and_placing.place(self._setup, self._plugins, positions, self.snapshot)
         self.disturbed = True
         try:
-            self._start()
+            with np.errstate(all="ignore"):
+                grabbing_and_placing.place(self._setup, self._plugins, positions, self.snapshot)
+                self._start()
         except Exception as error:  # noqa: BLE001 (as above)
             self._stop(error)
         return self._observation.snapshot

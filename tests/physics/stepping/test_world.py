@@ -9,6 +9,8 @@ import pymunk
 import pytest
 
 from sandbox.model.level import Level, Stepping
+from sandbox.model.level_catalog import find
+from sandbox.model.loading import load
 from sandbox.physics.forces.attraction import Attraction
 from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.run import build
@@ -288,6 +290,16 @@ def test_a_body_that_is_placed_goes_on_with_its_velocity() -> None:
     vx, vy = placed.velocity[0]
     assert worst(flight.position[:, 0, 0], 7 + vx * t) <= 1e-12
     assert worst(flight.position[:, 0, 1], 7 + vy * t - G * t**2 / 2) <= 1e-12
+
+
+def test_a_bead_that_is_placed_beyond_its_wire_ends_the_run_with_a_reason() -> None:
+    world = build(load(find("energy/curved-ramp")))
+    width, height = world.values["width"], world.values["height"]
+
+    with pytest.raises(SimulationError, match="end of 'ramp'; make the wire longer"):
+        world.place({"ball": (1.2 * width, 1.44 * height)})
+    with pytest.raises(SimulationError, match="make the wire longer"):
+        world.advance()
 
 
 def test_strings_are_cut_to_fit_when_a_body_is_placed() -> None:
