@@ -100,6 +100,7 @@ def test_a_film_of_a_trace_lasts_as_long_as_the_trace() -> None:
         assert film.n_frames == 11  # type: ignore[attr-defined] # of a GIF
 
 
+@pytest.mark.sweep
 def test_in_ipython_levels_and_traces_show_themselves_without_an_extension() -> None:
     code = (
         "from IPython.core.interactiveshell import InteractiveShell\n"

@@ -263,6 +263,7 @@ def test_two_labels_beside_each_other_can_be_told_apart() -> None:
     assert labels.place_for([beside, SECOND]) == SECOND
 
 
+@pytest.mark.sweep
 def test_the_forces_on_a_chassis_are_written_beside_the_car(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -64,6 +64,7 @@ print("scipy.optimize" in sys.modules)
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("level", "direct"), [("machines/waiters-tray", True), ("newton/atwood", False)]
 )

@@ -33,6 +33,7 @@ print(held() - before)
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(
     sys.platform != "linux" or platform.libc_ver()[0] != "glibc", reason="it is glibc's option"
 )

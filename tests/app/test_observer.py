@@ -69,6 +69,7 @@ def test_on_the_ground_all_is_seen_as_it_is() -> None:
     assert observer.displacement == (0, 0)
 
 
+@pytest.mark.sweep
 def test_the_body_from_which_one_looks_stays_where_it_is(person: Person) -> None:
     observe(person, "machines/car-over-bumps", "chassis")
     before = place(person, "chassis")

@@ -25,6 +25,7 @@ def test_every_module_of_overlays_is_registered() -> None:
     )
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("level", LEVELS)
 def test_overlays_are_switched_by_their_keys_and_drawn_while_time_runs(
     person: Person, level: str

@@ -183,6 +183,7 @@ def test_a_wheel_that_rolls_turns_about_its_point_of_contact(pen: Pen) -> None:
         assert abs(across) < 1e-9  # straight below it, seen along the slope
 
 
+@pytest.mark.sweep
 def test_a_body_that_moves_as_a_whole_has_no_arrows_at_its_corners(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:

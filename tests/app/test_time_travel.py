@@ -533,6 +533,7 @@ def test_a_body_may_be_moved_in_a_run_that_goes_on_with_other_parts() -> None:
     assert session.world.steps == 25
 
 
+@pytest.mark.sweep
 def test_arrows_keep_their_scale_on_the_way_back(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -79,6 +79,7 @@ def test_a_switch_is_from_another_level_to_the_one_that_is_asked_for(
     assert 0 < took < perf_counter() - begun
 
 
+@pytest.mark.sweep
 def test_no_frame_draws_both_a_page_and_what_stands_below_it(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:

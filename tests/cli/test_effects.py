@@ -143,6 +143,7 @@ def test_a_level_of_many_bodies_is_written_and_runs(run: Run, tmp_path: Path) ->
     assert "system.energy" in ran.out
 
 
+@pytest.mark.sweep
 def test_no_level_of_no_bodies_is_written(run: Run, tmp_path: Path) -> None:
     outcome = run("generate", "gas", "--bodies", 0, "--output", tmp_path / "gas.json")
 

@@ -188,6 +188,7 @@ def test_a_corner_comes_before_a_side_and_a_side_before_the_grid() -> None:
     assert snap_point(parse(PLANK), (2.0, 1.6), 0.25, 0.5).kind == "grid"
 
 
+@pytest.mark.sweep
 @given(st.floats(0, 6.28), st.floats(-0.1, 0.1))
 def test_a_point_near_a_disc_is_set_on_its_rim(angle: float, off: float) -> None:
     point = (0.5 + off) * cos(angle), 2 + (0.5 + off) * sin(angle)

@@ -24,6 +24,7 @@ def ragdoll(rate: float, thousandths: int = 0) -> Level:
     return make(data)
 
 
+@pytest.mark.sweep
 def test_a_ragdoll_gains_no_energy_but_what_lifts_it_out_of_the_stairs() -> None:
     """Measured: 0.05 J of 0.67, while 730 J are lost; just after it a leg whips straight."""
     level = textbook("machines/ragdoll")

@@ -179,6 +179,7 @@ def test_what_is_not_finite_arithmetic_is_refused_at_once(source: str) -> None:
     assert str(caught.value).isprintable()
 
 
+@pytest.mark.sweep
 @given(
     st.one_of(
         st.text(max_size=60),

@@ -21,7 +21,7 @@ def test_a_crowd_is_a_level_with_so_many_bodies(kind: str, count: int) -> None:
 
 
 @pytest.mark.parametrize("kind", ["gas", "chain", "cluster"])
-@pytest.mark.parametrize("count", [2, 20])
+@pytest.mark.parametrize("count", [2, pytest.param(20, marks=pytest.mark.sweep)])
 def test_a_crowd_keeps_its_checks(kind: str, count: int) -> None:
     """A gas keeps its energy to 2e-5, as three discs meet at once; links and rods to rounding."""
     for result in grade(simulate(parse(text(crowd(kind, count))), duration=2)):

@@ -129,6 +129,7 @@ def blown(count: int, fields: int, *force: str) -> Data:
     return {"format": 1, "title": "x", "effects": effects, "bodies": bodies}
 
 
+@pytest.mark.sweep
 def test_many_motions_are_looked_through_soon() -> None:
     """Each was looked at 40 times at a thousand times: these took 3.7 s."""
     start = process_time()
@@ -137,6 +138,7 @@ def test_many_motions_are_looked_through_soon() -> None:
     assert process_time() - start < 1.8  # 0.6 s
 
 
+@pytest.mark.sweep
 def test_of_motions_beyond_number_only_the_default_values_are_tried(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -17,6 +17,7 @@ def record(name: str, *quantities: str) -> Trace:
     return simulate(load(level_catalog.find(name)), record=quantities or None)
 
 
+@pytest.mark.sweep
 def test_the_listings_print_these_figures() -> None:
     printed = {name: round(value, 4) for name, value in chapter_code.figures().items()}
 

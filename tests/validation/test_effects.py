@@ -67,6 +67,7 @@ def test_every_effect_is_measured_alone_and_some_together() -> None:
     assert {n for n, effect in effects.EFFECTS.items() if effect.trial is not None} <= set(DECLARED)
 
 
+@pytest.mark.sweep
 def test_the_growth_of_a_crowd_is_measured_beside_pymunks() -> None:
     (found,) = growths({"pile": (2, 8)})
 

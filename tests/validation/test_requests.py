@@ -57,6 +57,7 @@ def test_stock_pymunk_counts_where_impacts_come_in_sequence_too() -> None:
     assert not found.honoured
 
 
+@pytest.mark.sweep
 def test_a_cheaper_setting_is_one_that_shares_instants_and_holds_at_every_step() -> None:
     """A run at 15 Hz was as accurate as any at 429.7 Hz: they share no instant."""
     level = load(find("lagrange/simple-pendulum"))

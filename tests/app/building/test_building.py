@@ -16,6 +16,7 @@ from tests.app.person import until
 from tests.sample import thinned
 
 
+@pytest.mark.sweep
 def test_an_atwood_machine_takes_less_than_25_clicks_and_passes_its_checks(
     builder: Builder,
 ) -> None:
@@ -181,6 +182,7 @@ def test_escape_takes_back_what_was_begun_and_never_ends_the_app(builder: Builde
     assert list(builder.document["bodies"]) == ["ground"]
 
 
+@pytest.mark.sweep
 def test_a_block_near_a_slope_is_laid_flat_on_it(builder: Builder) -> None:
     builder.new()
     builder.key(pygame.K_5, "5")

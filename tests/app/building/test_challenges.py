@@ -1,6 +1,7 @@
 """A drawn level is made a challenge with the mouse."""
 
 import pygame
+import pytest
 from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.model.loading import parse
@@ -16,6 +17,7 @@ def draw_a_bucket(builder: Builder) -> None:
     builder.key(pygame.K_RETURN, "\r")
 
 
+@pytest.mark.sweep
 def test_a_throw_into_a_bucket_becomes_a_challenge_with_few_clicks(builder: Builder) -> None:
     builder.new()
     builder.clicks = 0

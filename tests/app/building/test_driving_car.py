@@ -1,5 +1,7 @@
 """A newcomer draws a car that drives: two wheels on pins, and a motor on one of the pins."""
 
+import pytest
+
 from sandbox.app.words.language import say
 from sandbox.model.loading import parse
 from sandbox.physics.run import simulate
@@ -28,6 +30,7 @@ def faults(builder: Builder) -> bool:
     return found is not None and bool(found.faults)
 
 
+@pytest.mark.sweep
 def test_a_car_with_pins_and_a_motor_drives_once_there_is_friction(builder: Builder) -> None:
     draw(builder)
     builder.tool("motor")

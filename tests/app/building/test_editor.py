@@ -28,6 +28,7 @@ def file_of(builder: Builder) -> Path:
     return path
 
 
+@pytest.mark.sweep
 def test_the_run_stands_at_its_start_while_building_and_comes_back_there(mine: Builder) -> None:
     mine.at(-0.6, 0)
     mine.key(pygame.K_LEFT)
@@ -209,6 +210,7 @@ def test_the_name_of_its_file_becomes_the_title_of_a_level_that_has_none(
     assert json.loads((tmp_path / "other.json").read_text("utf-8"))["title"] == "Another one"
 
 
+@pytest.mark.sweep
 def test_a_set_up_that_is_recognised_gives_the_level_its_title(builder: Builder) -> None:
     builder.new()
     builder.tool("disc")

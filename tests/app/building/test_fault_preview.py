@@ -3,6 +3,7 @@
 from time import perf_counter, sleep
 
 import pygame
+import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.editing.edits import joint_creation
@@ -41,6 +42,7 @@ def two_boxes(builder: Builder) -> None:
     builder.drag((1, 1), (2, 2))
 
 
+@pytest.mark.sweep
 def test_a_box_that_is_dragged_into_another_is_marked_before_it_is_let_go(builder: Builder) -> None:
     two_boxes(builder)
     builder.tool("select")

@@ -104,6 +104,7 @@ def test_what_one_of_several_cannot_have_none_of_them_gets(builder: Builder) -> 
     assert "greater than 0" in builder.page._refused["bodies", "disc1", "mass"]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("effect", thinned(EFFECTS, 5))
 def test_every_effect_is_switched_on_and_off(builder: Builder, effect: str) -> None:
     builder.new()

@@ -227,6 +227,7 @@ def test_the_run_is_kept_as_a_level_that_loads_and_the_other_one_stays(running: 
     assert before.text == before.saved
 
 
+@pytest.mark.sweep
 def test_a_drop_onto_another_body_is_refused_and_the_run_goes_on_as_it_was(
     running: Builder,
 ) -> None:
@@ -248,6 +249,7 @@ def test_the_page_tells_that_no_check_holds_for_a_run_that_was_changed(running: 
     assert sections.NO_FORMULA in told
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_every_page_shows_a_run_that_was_changed_and_lets_it_begin_anew(
     running: Builder, page: Page

@@ -18,6 +18,7 @@ def typed(builder: Builder, text: str, *path: str | int) -> None:
     builder.person.wait(0.1)
 
 
+@pytest.mark.sweep
 def test_a_body_gets_another_name_wherever_it_is_mentioned(builder: Builder) -> None:
     builder.at(-0.6, 0)
     builder.fill("heavy", "bodies", "left")

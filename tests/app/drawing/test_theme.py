@@ -158,6 +158,7 @@ def test_no_module_holds_on_to_a_colour_of_the_theme(path: Path) -> None:
     assert held + imported == []
 
 
+@pytest.mark.sweep
 def test_the_whole_window_changes_at_once_and_back(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
     person.wait(0.1)

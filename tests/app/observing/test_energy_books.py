@@ -114,6 +114,7 @@ def test_the_energies_of_a_run_are_those_of_its_steps() -> None:
     assert session.books.history[:30] == pytest.approx(np.array(seen), rel=1e-12, abs=1e-15)
 
 
+@pytest.mark.sweep
 def test_steps_are_booked_only_while_a_card_tells_of_it(person: Person) -> None:
     person.window.open_level("newton/incline")
     person.press(pygame.K_SPACE, " ")

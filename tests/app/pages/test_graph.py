@@ -105,6 +105,7 @@ def row(page: GraphPage, name: str) -> UIButton:
     return next(each for each in rows if each.text == name)
 
 
+@pytest.mark.sweep
 def test_quantities_are_chosen_from_lists_and_stay_chosen(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_d, "d")
@@ -342,6 +343,7 @@ def test_a_double_click_shows_all_again(grapher: Person, monkeypatch: pytest.Mon
     assert not zoomed(grapher)
 
 
+@pytest.mark.sweep
 def test_a_click_on_a_graph_over_time_goes_there_and_what_comes_later_stays_fainter(
     grapher: Person,
 ) -> None:

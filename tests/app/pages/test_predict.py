@@ -76,6 +76,7 @@ def written(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return texts
 
 
+@pytest.mark.sweep
 def test_a_number_that_is_typed_beside_the_field_answers_the_question(asked: Person) -> None:
     """Digits open pages, and + and - change the speed, but not while a question is open."""
     page = asked.page(PredictPage)
@@ -432,6 +433,7 @@ def test_a_prediction_holds_for_the_same_run_again(asked: Person) -> None:
     assert predicting(asked).outcome == before
 
 
+@pytest.mark.sweep
 def test_a_prediction_ends_with_its_level(asked: Person, tmp_path: Path) -> None:
     asked.open(tmp_path, scenes.falling(title="Another"))
 

@@ -44,6 +44,7 @@ def played(person: Person, level: str = "newton/atwood") -> SharePage:
     return page(person)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", KINDS, ids=[caption for caption, _, _ in KINDS])
 def test_each_button_saves_a_file_with_a_name_of_its_own(
     person: Person, folder: Path, kind: tuple[str, str, object]

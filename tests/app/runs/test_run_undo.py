@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pygame
+import pytest
 
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.race import scheme_comparison
@@ -24,6 +25,7 @@ def g(person: Person) -> float:
     return float(person.session.values["g"])
 
 
+@pytest.mark.sweep
 def test_a_parameter_is_taken_back_and_set_again(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
     person.set_to("g", "5")

@@ -4,6 +4,7 @@ import gc
 from collections.abc import Sequence
 
 import pygame
+import pytest
 from pygame_gui.core import UIElement
 from pygame_gui.core.utility import set_default_manager
 
@@ -19,6 +20,7 @@ def lost(person: Person, known: Sequence[UIElement] = ()) -> list[UIElement]:
     return [o for o in gc.get_objects() if isinstance(o, UIElement) and id(o) not in passed]
 
 
+@pytest.mark.sweep
 def test_a_window_in_another_size_of_text_keeps_no_widget_of_the_old_one(person: Person) -> None:
     """pygame_gui keeps its first manager as the default: 50 MB in a full window."""
     of_others = lost(person)

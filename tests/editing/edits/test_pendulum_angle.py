@@ -43,6 +43,7 @@ def test_what_hangs_straight_is_drawn_to_where_nothing_is() -> None:
     assert value_at(right, ("bodies", "disc3", "position", 0)) == "3 + 3*sin(angle*deg)"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text", [pendulum("rod", 0, 5), cradle(3, 1, angle=0)])
 def test_its_checks_hold_at_every_angle(text: str) -> None:
     text = swing(text, parse(text), "disc1")

@@ -53,6 +53,7 @@ def test_slope_and_block_turn_together(name: str, degrees: float) -> None:
         build(parse(put(tilted, ("parameters", "angle", "value"), angle)))
 
 
+@pytest.mark.sweep
 @settings(max_examples=20, deadline=None)
 @given(st.floats(-1.0, 1.0).filter(lambda angle: abs(angle) > 0.05))
 def test_at_its_own_angle_everything_is_where_it_was(angle: float) -> None:
@@ -63,6 +64,7 @@ def test_at_its_own_angle_everything_is_where_it_was(angle: float) -> None:
             assert abs(a - b) < 1e-10
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("friction", [None, 0.1])
 @pytest.mark.parametrize("degrees", [-30, 30])
 def test_the_checks_that_are_suggested_hold_at_every_angle(

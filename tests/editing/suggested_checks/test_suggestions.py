@@ -167,6 +167,7 @@ def holds(text: str, values: dict[str, float] | None = None) -> bool:
     return all(one.verdict == "passed" for one in grade(simulate(level, values)))
 
 
+@pytest.mark.sweep
 def test_suggested_checks_follow_a_mass_that_becomes_a_parameter() -> None:
     text = with_checks(atwood(2, 3))
     changed = make_parameter(text, ("bodies", "disc2", "mass"), "m")
@@ -175,6 +176,7 @@ def test_suggested_checks_follow_a_mass_that_becomes_a_parameter() -> None:
     assert all(holds(changed, {"m": m}) for m in (0.6, 1.5, 2.0, 5.0, 15.0))
 
 
+@pytest.mark.sweep
 def test_checks_are_about_a_time_before_something_is_met_with_any_value() -> None:
     text = make_parameter(atwood(2, 2), ("bodies", "disc2", "mass"), "m")
     text = with_checks(text)
@@ -194,12 +196,14 @@ def test_no_tackle_is_seen_where_a_pull_is_not_upright_or_the_string_is_slack(te
     assert "block and tackle" not in [one.setup for one in suggestions(parse(text))]
 
 
+@pytest.mark.sweep
 def test_a_tackle_holds_with_any_load() -> None:
     text = make_parameter(tackle((0, 8), (0, 8), (2, 8)), ("bodies", "box1", "mass"), "m")
     text = with_checks(text)
     assert all(holds(text, {"m": m}) for m in (2, 10, 30))
 
 
+@pytest.mark.sweep
 def test_a_capstan_says_of_each_load_whether_it_holds() -> None:
     text = make_parameter(capstan(5, 15, 0.25), ("bodies", "disc1", "friction"), "mu")
     level = parse(with_checks(text))
@@ -221,6 +225,7 @@ def test_no_cradle_is_seen_where_balls_differ_or_nothing_strikes(text: str) -> N
     assert "Newton's cradle" not in [one.setup for one in suggestions(parse(text))]
 
 
+@pytest.mark.sweep
 def test_a_slope_has_no_checks_of_sliding_where_it_holds() -> None:
     text = make_parameter(incline(0.5, 0.3), ("bodies", "box1", "friction"), "mu")
     level = parse(with_checks(text))

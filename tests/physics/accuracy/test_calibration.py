@@ -446,6 +446,7 @@ def test_a_pile_is_solved_directly_where_sweeps_do_not_reach_its_accuracy() -> N
         calibrate(boxes(20, solver="iterative"), target=1e-9)
 
 
+@pytest.mark.sweep
 def test_what_sweeps_reach_at_less_cost_is_left_to_them() -> None:
     found = calibrate(boxes(5), target=1e-9).chosen
 
@@ -590,6 +591,7 @@ def test_progress_is_told() -> None:
     assert [scheme in str(told) for scheme in ("fourth-order at", "leapfrog at")] == [True, True]
 
 
+@pytest.mark.sweep
 def test_no_run_of_a_search_is_taken_twice(monkeypatch: pytest.MonkeyPatch) -> None:
     """The run for the scales is one of the sequence, and the direct solver takes no sweeps."""
     taken: list[Stepping] = []

@@ -132,6 +132,7 @@ def test_the_rate_that_a_check_tells_has_been_tried() -> None:
     assert str(told).endswith("; tried: at 633 Hz it runs to its end, t = 0.2006 s")
 
 
+@pytest.mark.sweep
 def test_a_check_does_not_wait_for_a_long_run() -> None:
     spring = {"type": "spring", "stiffness": 1e5, "length": 1}
     bobs = {f"bob{i}": disc((1.1, i)) for i in range(100)}
@@ -173,6 +174,7 @@ def dropped(columns: int, solver: str | None = None) -> Level:
     return level({**ground, **boxes}, effects, duration=0.3, stepping={"rate": 240})
 
 
+@pytest.mark.sweep
 def test_of_bodies_that_pile_up_later_it_is_said_what_sweeps_left_unbalanced() -> None:
     """Sixty are left to sweeps by default, and lean by 0.04 rad; solved directly they stand."""
     swept, solved = (simulate(dropped(3, solver)) for solver in (None, "direct"))

@@ -128,6 +128,7 @@ def collide(
 MASSES = st.floats(-3, 3).map(lambda power: 10.0**power)
 
 
+@pytest.mark.sweep
 @settings(max_examples=60, deadline=None)
 @given(MASSES, MASSES, st.floats(0, 1), st.floats(0.1, 10), st.floats(-10, -0.1))
 def test_a_collision_on_a_line_ends_with_the_velocities_of_the_textbook(

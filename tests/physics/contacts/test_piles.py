@@ -34,6 +34,7 @@ def drift(scene: Level, seconds: float) -> float:
     return float(max(strayed))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("contact", [PILES, {}])
 def test_a_stack_of_ten_settles_before_its_first_step(contact: Spec) -> None:
     """With ten sweeps a kick it is let go with 1e-4 m/s, and falls within seconds."""

@@ -107,6 +107,7 @@ def test_a_marble_goes_round_a_loop_once_and_leaves_it() -> None:
     assert np.hypot(*world.snapshot.velocity[0]) == pytest.approx(8, rel=1e-3)
 
 
+@pytest.mark.sweep
 def test_without_that_it_stays_in_the_loop() -> None:
     world = build(loop({"never": {"at": 60, "reverse": ["right"]}}))
     world.advance(4400)

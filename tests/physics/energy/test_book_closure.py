@@ -115,6 +115,7 @@ def test_what_rests_on_springs_turns_nothing_over_but_rounding(far: float) -> No
     assert found.text == "nothing turned over"
 
 
+@pytest.mark.sweep
 def test_a_load_that_hops_without_gaining_is_told_by_its_books() -> None:
     """Each landing takes what the hop gave: forces are wrong by far, and nothing diverges."""
     assert closing(straddle(4000), 0.2).unexplained_fraction > 0.1

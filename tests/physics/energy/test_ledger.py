@@ -241,6 +241,7 @@ def test_a_body_that_moves_as_told_puts_work_in() -> None:
     assert books[-1].work["bodies"] == pytest.approx(8)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("boxes", [1, 3])
 def test_a_table_that_tilts_puts_in_what_it_lifts(boxes: int) -> None:
     """Boxes stand on it; they press harder on its lower end, and nothing is lost."""

@@ -235,6 +235,7 @@ def lever(**bounce: object) -> Level:
     return level(bodies, {**GRAVITY, "rotation": {}}, joints=joints)
 
 
+@pytest.mark.sweep
 def test_a_stop_is_of_second_order_among_other_joints() -> None:
     """Measured: 16 to 17 for two doublings with a restitution, and without one."""
     for bounce in ({}, {"restitution": 0}):
@@ -332,6 +333,7 @@ def test_a_restitution_beyond_one_is_told() -> None:
         slider(1.2)
 
 
+@pytest.mark.sweep
 def test_a_puck_that_rattles_between_stops_is_told_to_meet_them_too_often() -> None:
     """At 100 m/s with 2 mm of play it had 830 bounces in each step, which took 3 s."""
     stop = {
@@ -347,6 +349,7 @@ def test_a_puck_that_rattles_between_stops_is_told_to_meet_them_too_often() -> N
         world.advance()
 
 
+@pytest.mark.sweep
 def test_flaps_that_rattle_between_each_other_are_told_to_meet_too_often() -> None:
     """Sixty flaps turn against each other, each between two elastic stops 0.2 rad apart.
 

@@ -350,6 +350,7 @@ def test_joints_that_are_tied_at_once_are_laid_out_once(monkeypatch: pytest.Monk
     assert velocities[:, 0] == pytest.approx(np.full(8, 0.35), rel=1e-9)  # that of the centre
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("backwards", [False, True])
 def test_many_crossings_in_a_step_are_located_one_by_one(*, backwards: bool) -> None:
     """All that were still to come were located after each: 100 took 4 s in one step."""

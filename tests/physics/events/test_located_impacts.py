@@ -358,6 +358,7 @@ def test_a_ball_without_room_is_told_soon(play: float, speed: float, said: str) 
     assert told.value.subject == "ball"
 
 
+@pytest.mark.sweep
 def test_a_long_row_that_cannot_be_followed_is_told_soon() -> None:
     """Each impact looked at all pairs of the row again: it took 10 s to be told."""
     balls = {
@@ -372,6 +373,7 @@ def test_a_long_row_that_cannot_be_followed_is_told_soon() -> None:
     assert process_time() - start < 4  # 1.2 s
 
 
+@pytest.mark.sweep
 def test_a_crowd_that_cannot_be_followed_is_told_soon() -> None:
     """A hundred balls on each other had 3,100 impacts before it was told, 400 in a box 4,000."""
     balls = {f"ball{i}": disc((0, 0.2 * i), radius=0.1, restitution=0.9) for i in range(100)}

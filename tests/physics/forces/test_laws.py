@@ -452,6 +452,7 @@ def test_a_driven_spring_in_its_steady_state_is_second_order() -> None:
     assert order(driven_error, 60) >= 1.9  # 2.01
 
 
+@pytest.mark.sweep
 @given(PLACES, st.lists(SPRING, min_size=1))
 def test_many_springs_store_together_what_each_of_them_does(
     places: Array, springs: list[SpringForce]

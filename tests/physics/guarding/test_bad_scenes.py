@@ -159,6 +159,7 @@ print(True)
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "code",
     [

@@ -81,7 +81,10 @@ def towed() -> Level:
     return level(bodies, {**GRAVITY, "rotation": {}, "contact": {}, "friction": {}}, joints=joints)
 
 
-SCENES = (thrown_pair, thrown_row, swung_round, lever, towed)
+SCENES = (
+    *(thrown_pair, thrown_row, swung_round, lever),
+    pytest.param(towed, id="towed", marks=pytest.mark.sweep),
+)
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.__name__)

@@ -183,6 +183,7 @@ def pogo(contact: Spec, riders: int = 1) -> Level:
     )
 
 
+@pytest.mark.sweep
 def test_what_a_spring_presses_on_the_ground_does_not_sink_in() -> None:
     """Sweeps leave it 2 cm deep, and taking that back lifts the rider."""
     world, deepest = build(pogo({})), 0.0

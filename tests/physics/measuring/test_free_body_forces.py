@@ -151,6 +151,7 @@ def test_forces_add_up_in_every_level(name: str) -> None:
     assert found.torque < (0.1 if name in OVERLAPPING else BOUND)
 
 
+@pytest.mark.sweep
 def test_forces_add_up_where_a_block_breaks_loose_within_a_step() -> None:
     """Its friction was told to be the static limit, which it had for a part of the step only."""
     whole = sums(textbook("newton/breaking-loose"))

@@ -76,6 +76,7 @@ def test_what_has_not_changed_is_shared_by_saved_states() -> None:
     assert second.size < first.size / 2
 
 
+@pytest.mark.sweep
 def test_a_world_with_shapes_cannot_be_saved() -> None:
     """What pymunk keeps of contacts cannot be read, nor in which order it finds pairs."""
     assert not can_be_saved(world_of("hard/pyramid-of-20"))

@@ -467,7 +467,7 @@ def test_which_points_touch_is_worked_out_when_contacts_come_or_go(
     assert begun < made[0] <= begun + 20
 
 
-@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("closed", [False, pytest.param(True, marks=pytest.mark.sweep)])
 def test_many_contacts_are_pushed_as_few_are(
     monkeypatch: pytest.MonkeyPatch, *, closed: bool
 ) -> None:
@@ -486,6 +486,7 @@ def test_many_contacts_are_pushed_as_few_are(
     assert (rates + delassus @ quick).min() > -1e-9
 
 
+@pytest.mark.sweep
 def test_a_long_wedged_row_is_told_soon() -> None:
     """400 elastic balls between a wall and a heavy ball took 2.4 s to be told."""
     masses = np.append(1e9, np.ones(399))

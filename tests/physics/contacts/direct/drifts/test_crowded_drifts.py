@@ -196,6 +196,7 @@ def test_a_fast_car_drives_into_28_boxes(rate: float) -> None:
     assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turnover
 
 
+@pytest.mark.sweep
 def test_a_crowd_that_bounces_on_a_floor_is_known_early(monkeypatch: pytest.MonkeyPatch) -> None:
     """49 elastic boxes, thrown at a floor: the start and a step cut drifts 81 times, now 15.
 

@@ -419,6 +419,7 @@ def thrown(rate: float) -> float:
     return most
 
 
+@pytest.mark.sweep
 def test_an_arm_that_strikes_and_throws_leaves_what_is_of_second_order() -> None:
     """4.3 and 0.98 of 6540 J, of the swing before; stopped in two parts 15 and 3.5 J."""
     coarse, fine = thrown(240), thrown(480)

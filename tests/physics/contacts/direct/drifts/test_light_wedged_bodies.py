@@ -7,6 +7,7 @@ from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, box, floor, level
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("off", "speed"), [(0.25, 0.0), (0.05, 2.0)])
 def test_the_books_close_on_a_light_plate_under_a_heavy_block(off: float, speed: float) -> None:
     """The forces on the plate cancel, but not with the rows at the end of a drift that is cut.

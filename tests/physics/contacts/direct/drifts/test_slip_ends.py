@@ -61,6 +61,7 @@ def test_a_box_on_a_box_stops_on_it_before_both_stop(rate: float) -> None:
     assert energy <= 1e-12
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("late", [0.0, 0.002, 0.004])
 def test_a_ball_catches_up_with_a_box_as_it_stops(late: float) -> None:
     """`late` is how much later than the box stops it is there [s]."""

@@ -38,6 +38,7 @@ def world_of(pair: str) -> World:
     return build(level(PAIRS[pair], {"contact": {}}))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("pair", PAIRS)
 @given(place=STATES, velocity=STATES, acceleration=STATES)
 def test_what_stays_apart_for_certain_never_meets(

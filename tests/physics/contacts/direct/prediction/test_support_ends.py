@@ -155,6 +155,7 @@ def test_what_leaves_a_bent_support_is_of_second_order(
     assert 3.5 <= first / second <= 4.5
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("friction", [0.0, 0.05])
 @pytest.mark.parametrize("ahead", thinned([0.0, 1 / 3, 2 / 3], 3))
 def test_a_box_that_slides_off_and_tips_is_of_second_order(ahead: float, friction: float) -> None:

@@ -39,6 +39,7 @@ def counted(patch: pytest.MonkeyPatch, module: object, name: str) -> list[None]:
     return calls
 
 
+@pytest.mark.sweep
 def test_what_comes_back_to_what_held_and_gains_nothing_goes_in_circles(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -85,6 +86,7 @@ def test_what_has_settled_is_not_solved_again_because_something_else_moves(
     assert len(solutions) < 55  # 47
 
 
+@pytest.mark.sweep
 def test_the_impact_of_a_landing_begins_with_what_held_before_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

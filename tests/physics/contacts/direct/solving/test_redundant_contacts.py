@@ -31,6 +31,7 @@ def dominoes(count: int, rate: float, turn: float = -3) -> Level:
     return level({"ground": GROUND, **bodies}, HINGED, joints=hinges, stepping={"rate": rate})
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("count", "rate"), thinned([(1, 240), (2, 240), (3, 480)], 3))
 def test_hinged_dominoes_fall_and_lie_with_all_energy_accounted_for(
     count: int, rate: float
