@@ -254,7 +254,13 @@ def stability(
 @command
 def fuzz(
     count: Annotated[
-        int | None, typer.Option(min=1, metavar="N", help="The number of levels. [default: 1000]")
+        int | None,
+        typer.Option(
+            min=1,
+            metavar="N",
+            help="The number of levels, not counting repaired versions of those that are refused."
+            " [default: 1000]",
+        ),
     ] = None,
     seed: Annotated[int, typer.Option(metavar="S", help="The seed of the random levels.")] = 0,
     minutes: Annotated[

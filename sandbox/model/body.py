@@ -20,8 +20,8 @@ from sandbox.model.number_bounds import (
 )
 from sandbox.model.shapes import Point, Shape, Velocity
 
-MAX_BODIES = 20_000
-"""The most bodies in a level: ten thousand run in real time at 60 Hz."""
+MAX_BODIES = 10_000
+"""The most bodies in a level: so many are read in a second or two and run in real time at 60 Hz."""
 
 MAX_POINTS = 100
 """The most named points of a body."""

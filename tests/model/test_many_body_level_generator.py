@@ -50,7 +50,7 @@ def test_the_largest_gas_can_be_loaded() -> None:
     ("kind", "count", "message"),
     [
         ("gass", 10, "there is no scene 'gass'; did you mean 'gas'?"),
-        ("gas", 0, "a gas must have between 1 and 19999 bodies, not 0"),
+        ("gas", 0, "a gas must have between 1 and 9999 bodies, not 0"),
         ("chain", 301, "a chain must have between 1 and 300 bodies, not 301"),
     ],
 )
