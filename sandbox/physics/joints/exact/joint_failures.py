@@ -43,7 +43,11 @@ def overlapping(names: Sequence[str], row: int) -> JointFailure:
     name = names[row]
     reason = Message("'{name}' is redundant, or cannot hold; leave it out", name=name)
     if names.count(name) > 1:
-        reason = Message("{reason}, or use a rod or a rail, which holds less", reason=reason)
+        reason = Message(
+            "{reason}, or use a rod or a rail, which holds less; what hangs between two fixed"
+            " points has to sag",
+            reason=reason,
+        )
     return JointFailure(name, reason)
 
 
