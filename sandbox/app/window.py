@@ -37,6 +37,7 @@ class Window(Workspace):
         self.hold_up = LongFrameWatch(self)
         """Keeps the window responsive during long frames."""
         self._quiet = 0.0  # s since the last event
+        self._renewed = False  # whether preferences have changed since the last `preload`
         self._allowance, self._stepped = FrameBudget(), 0.0  # s, in this frame
 
     def do(self, command: str) -> None:
@@ -58,6 +59,9 @@ class Window(Workspace):
             clock.tick(RATE if self._busy else QUIET_RATE)
             now = perf_counter()
             self._show(min(now - before, LONGEST_FRAME))
+            if self._renewed:  # the frozen widgets, which are not in use any more, take 40 MB
+                self.preload()
+                self._renewed = False
             self._keep_run(now - before)
             before = now
             yield
@@ -82,8 +86,12 @@ class Window(Workspace):
 
     @staticmethod
     def preload() -> None:
-        """Import all pages, collect garbage and freeze what remains: later it would take frames."""
+        """Import all pages, collect garbage and freeze what remains: later it would take frames.
+
+        What was frozen before and has been replaced since is garbage, too.
+        """
         preload()
+        gc.unfreeze()
         gc.collect()
         gc.freeze()
         gc.enable()
@@ -108,7 +116,7 @@ class Window(Workspace):
         """Handle events, and advance by some time [s]; steps may take the allowed time [s]."""
         for event in self._new_events(seconds):
             self._events.handle(event)
-        self.apply_preferences()
+        self._renewed |= self.apply_preferences()
         if self._watch.changed(self.path, seconds) and self.path is not None:
             self.reload_changed(self.path)
         if self.session is not None:
