@@ -116,7 +116,9 @@ class Window(Workspace):
         """Handle events, and advance by some time [s]; steps may take the allowed time [s]."""
         for event in self._new_events(seconds):
             self._events.handle(event)
-        self._renewed |= self.apply_preferences()
+        followed = self._followed
+        self.apply_preferences()
+        self._renewed |= self._followed is not followed
         if self._watch.changed(self.path, seconds) and self.path is not None:
             self.reload_changed(self.path)
         if self.session is not None:

@@ -108,13 +108,10 @@ class Workspace:
         """Whether there is neither a level nor a reason why it cannot be opened."""
         return self.session is None and self._refused is None
 
-    def apply_preferences(self) -> bool:
-        """Apply preferences that have changed since the last call; return whether there were any.
-
-        All widgets are made anew then.
-        """
+    def apply_preferences(self) -> None:
+        """Apply preferences that have changed since the last call."""
         if self.comfort.chosen is self._followed:
-            return False
+            return
         self._follow_preferences()
         self.files.translate()
         self.pen.renew(self.comfort.scale)
@@ -123,7 +120,6 @@ class Workspace:
             self.stage.use(self.session.world)
             self._set_window_title(self.session.original)
         self.lay_out()
-        return True
 
     def _follow_preferences(self) -> None:
         """Use the theme and the language that are preferred now."""
