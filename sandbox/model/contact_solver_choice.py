@@ -126,16 +126,15 @@ def has_one_sided_joints(level: Level, stepping: Stepping | None = None) -> bool
     return sum(isinstance(joint, Pulley) for joint in joints) > len(_lone_strings(level))
 
 
-def is_alone(name: str, level: Level) -> bool:
-    """Whether a joint is a plain string that shares no moving body with another exact joint.
+def lone_strings(level: Level) -> set[str]:
+    """Return the joints that are plain strings and share no moving body with another exact joint.
 
-    No joint is alone if contacts are solved directly, or if one-sided joints may catch. A string is
-    not alone if an event cuts or ties it, or if it may break.
+    There are none if contacts are solved directly, or if one-sided joints may catch. A string that
+    an event cuts or ties, or that may break, is not among them.
     """
-    joint = level.joints[name]
-    if not isinstance(joint, Pulley) or is_direct(level) or has_one_sided_joints(level):
-        return False
-    return name in _lone_strings(level)
+    if is_direct(level) or has_one_sided_joints(level):
+        return set()
+    return _lone_strings(level)
 
 
 def _lone_strings(level: Level) -> set[str]:

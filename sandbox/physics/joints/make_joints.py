@@ -13,7 +13,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.base import Model
-from sandbox.model.contact_solver_choice import is_alone
+from sandbox.model.contact_solver_choice import lone_strings
 from sandbox.model.events import rebounding_stops, stops_without_rebound, tied_joints
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joint_ends_at_start import span
@@ -202,14 +202,14 @@ class _Assembly:
         level, values, joints, lengths = self._level, self._values, self._joints, self._lengths
         rows: list[Row] = []
         others: list[Equation] = []
-        start = _coordinates(self._bodies, self._origin)
+        start, lone = _coordinates(self._bodies, self._origin), lone_strings(level)
         for name, spec in level.joints.items():
             if not (is_exact(spec) or spec.kind.force):
                 continue
             _require_made(spec)
             if isinstance(spec, Spring):
                 joints.springs[name] = make_spring(spec, joints.paths[name], lengths[name], values)
-            elif isinstance(spec, Pulley) and is_alone(name, level):
+            elif isinstance(spec, Pulley) and name in lone:
                 joints.strings[name] = make_string(name, spec, self._bodies, lengths[name], values)
             elif name not in self._open and name not in self._bounce:
                 new_rows, new_others = self._equations.of(name, spec, start)

@@ -163,6 +163,12 @@ def _acting(effect: str, body: str) -> Message:
 def _refused(
     subject: str, cause: Message, required_rate: float, rate: float, path: Path
 ) -> SimulationError:
+    if not np.isfinite(required_rate):
+        steep = Message(
+            "{cause} is infinitely stiff near its state at the start; no 'rate' is enough",
+            cause=cause,
+        )
+        return SimulationError(subject, 0.0, steep, path=path)
     least_rate = Message("{least:.3g}", least=required_rate)
     if required_rate < READABLE:
         least_rate = Message("{least:,.0f}", least=np.ceil(required_rate))

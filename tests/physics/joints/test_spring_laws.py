@@ -58,6 +58,12 @@ def test_a_law_that_is_too_steep_is_refused_with_the_rate_it_needs() -> None:
         build(sprung(law="1e6*x**3"))
 
 
+def test_a_law_of_infinite_slope_is_refused_without_a_rate() -> None:
+    """sqrt(x) has no slope between -0.4 m and 0.4 m; the message asked for "at least inf"."""
+    with pytest.raises(SimulationError, match=r"'tie' is infinitely stiff .* no 'rate' is enough"):
+        build(sprung(law="sqrt(x)", length=1.2))
+
+
 @pytest.mark.parametrize(
     ("law", "told"),
     [

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from sandbox.model.body import Body
-from sandbox.model.contact_solver_choice import is_alone
+from sandbox.model.contact_solver_choice import lone_strings
 from sandbox.model.effects.contact import Pair
 from sandbox.model.errors import brief
 from sandbox.model.excluded_pairs import excluded_pairs
@@ -165,7 +165,9 @@ def located_slips_fit(level: Level) -> Iterator[Fault]:
     """Bodies with located slipping have no joints that are settled late together with contacts."""
     friction = level.effects.friction
     flows = {body for _, body in bodies_of_flows(level)}
-    for index, body in enumerate((friction and friction.located) or ()):
+    located = (friction and friction.located) or ()
+    lone = lone_strings(level) if located else set[str]()
+    for index, body in enumerate(located):
         path = ("effects", "friction", "located", index)
         if body in flows:
             rule = Message(
@@ -174,7 +176,7 @@ def located_slips_fit(level: Level) -> Iterator[Fault]:
             )
             yield Fault(path, rule)
         for name, joint in level.joints.items():
-            if body in bodies_of(joint) and is_exact(joint) and not is_alone(name, level):
+            if body in bodies_of(joint) and is_exact(joint) and name not in lone:
                 rule = Message(
                     "'{body}' is held by '{name}'; the end of slipping can be located only for"
                     " bodies that are free, on springs, or on one string over pegs",
