@@ -11,6 +11,7 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_watching import PAUSE, Watch
 from sandbox.model.level import Level
+from sandbox.model.level_parts import Fault
 from sandbox.model.remarks import remarks
 from sandbox.model.scheme_requirements import bounds_the_rate
 from sandbox.processes import spread
@@ -82,8 +83,22 @@ def _finding(argument: str) -> Finding:
         _check_start(level)
     except SandboxError as error:
         return Finding([str(error)], refused=True)
-    rules = ((".".join(map(str, remark.path)), remark.rule) for remark in remarks(level))
+    found = (*remarks(level), *_start_remarks(level))
+    rules = ((".".join(map(str, remark.path)), remark.rule) for remark in found)
     return Finding([f"{argument}: {place}: {rule}" for place, rule in rules], refused=False)
+
+
+def _start_remarks(level: Level) -> Iterator[Fault]:
+    """Yield a remark if the joints change the velocities at the start.
+
+    The engine is needed only for levels with joints and velocities.
+    """
+    moves = frozenset({"velocity", "angular_velocity"})
+    if level.joints and any(moves & body.model_fields_set for body in level.bodies.values()):
+        from sandbox.physics.advising.start_velocities import unfit_start
+
+        if found := unfit_start(level):
+            yield found
 
 
 def _check_start(level: Level) -> None:

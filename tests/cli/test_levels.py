@@ -134,6 +134,37 @@ def test_bodies_that_overlap_at_the_start_are_a_mistake(run: Run, write: Write) 
     assert run("check", write(**rest, effects={"contact": {"overlaps": True}})).status == 0
 
 
+def on_a_rod(partner: dict[str, object], **rod: object) -> dict[str, object]:
+    """Two discs on a rod along x, the first at 1 m/s along it; without effects."""
+    ball = {"shape": {"type": "disc", "radius": 0.1}, "mass": 1}
+    bodies = {"a": {**ball, "velocity": [1, 0]}, "b": {**ball, "position": [1, 0], **partner}}
+    joints = {"arm": {"type": "rod", "ends": ["a", "b"], **rod}}
+    rest: dict[str, object] = {"effects": {}, "checks": [], "ghosts": {}, "parameters": {}}
+    return {"bodies": bodies, "joints": joints, **rest}
+
+
+def test_velocities_at_the_start_that_a_joint_changes_are_told_and_no_mistake(
+    run: Run, write: Write
+) -> None:
+    torn = write(**on_a_rod({}))
+
+    outcome = run("check", torn)
+
+    assert (outcome.status, outcome.out) == (0, "1 level well formed\n")
+    assert outcome.err.startswith(
+        f"{torn}: joints.arm: the velocities at the start violate it by 1 m/s or rad/s"
+    )
+
+
+@pytest.mark.parametrize(
+    ("partner", "rod"), [({"velocity": [1, 2]}, {}), ({}, {"length": "1 - t/2"})]
+)
+def test_velocities_that_fit_a_joint_or_its_changing_length_are_not_remarked_on(
+    partner: dict[str, object], rod: dict[str, object], run: Run, write: Write
+) -> None:
+    assert run("check", write(**on_a_rod(partner, **rod))).err == ""
+
+
 def test_check_needs_a_level(run: Run) -> None:
     assert run("check").status == 2
 
