@@ -181,7 +181,7 @@ def main(events: int = 100_000, seed: int = 0) -> None:
 def _readings(events: int, seed: int, folder: Path) -> list[float]:
     """Post a number of events; return the memory before the first and after each part [MB]."""
     window, begun = Window(), monotonic()
-    for name in level_catalog.textbook():  # what is made but once is there then
+    for name in level_catalog.names():  # what is made but once is there then
         window.open_level(name)
         for page in PAGES:
             window.do(page.command)

@@ -22,6 +22,14 @@ class Manager(UIManager):
 
     _touched: Sequence[UIElement] = ()
     """the plain widgets that the mouse was over in the last frame, or holds"""
+    _pressed: UIElement | None = None
+    """the widget that was pressed, until the mouse leaves it"""
+
+    def process_events(self, event: pygame.Event) -> bool:
+        """Pass an event to the widgets, and return whether one has used it."""
+        if event.type == pygame.MOUSEBUTTONDOWN:
+            self._pressed = next((each for each in self._touched if each.hovered), None)
+        return super().process_events(event)
 
     def update(self, time_delta: float) -> None:
         """Update the widgets after some time [s].
@@ -49,6 +57,15 @@ class Manager(UIManager):
             if element.visible and element.check_hover(time_delta, handled):
                 self.hovering_any_ui_element = element is not self.root_container
                 handled = handled or self.hovering_any_ui_element
+        self._hold_back_tip()
+
+    def _hold_back_tip(self) -> None:
+        """Show no tip on a widget that was pressed: it would cover what came of it."""
+        pressed = self._pressed
+        if pressed is None or not (pressed.hovered or getattr(pressed, "held", False)):
+            self._pressed = None
+        else:
+            pressed.hover_time = 0.0
 
     def create_new_theme(
         self,

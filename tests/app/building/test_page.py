@@ -160,3 +160,24 @@ def test_the_run_begins_at_the_top_of_the_page_where_no_body_is_selected(builder
     builder.click(builder.page.palette.button("Try it").rect)
     builder.person.wait(0.2)
     assert scroll_position(container) == 0
+
+
+def test_the_tip_of_a_button_that_was_pressed_does_not_cover_the_answer(builder: Builder) -> None:
+    """Why a level cannot run is said right below the button that tries it."""
+    button = builder.page.palette.button("Try it")
+
+    def is_tipped() -> bool:
+        return button.tool_tip is not None
+
+    builder.person.move(button.rect.center)
+    builder.person.wait(1.0)
+    assert is_tipped()
+
+    builder.click(button.rect)
+    builder.person.wait(1.0)
+    assert not is_tipped()
+
+    builder.person.move((button.rect.centerx, button.rect.bottom + 200))
+    builder.person.move(button.rect.center)
+    builder.person.wait(1.0)
+    assert is_tipped()

@@ -46,10 +46,13 @@ def racing(session: Session) -> bool:
 def toggle(session: Session) -> None:
     """Start a race of the schemes that the level can use, or end it.
 
-    Raises `SandboxError` if one of them cannot run; nothing is changed then.
+    A race that starts plays at once. Raises `SandboxError` if one of the schemes cannot run;
+    nothing is changed then.
     """
     original = whatif.declared_with_present_stepping(session)
-    session.play_as(original, [] if racing(session) else rivals(original, session.chosen))
+    ends = racing(session)
+    session.play_as(original, [] if ends else rivals(original, session.chosen))
+    session.playing = session.playing or not ends
 
 
 def rivals(level: Level, values: Values) -> list[Variant]:
