@@ -16,7 +16,7 @@ from validation.cost import report as cost_report
 from validation.cost import work_precision_diagram as cost_figure
 from validation.cost.report import TARGETS, cost_to_reach, next_digit
 from validation.cost.sweep import NAIVE, Sweep
-from validation.effects import figure as effects_figure
+from validation.effects import effect_cost_figure
 from validation.effects.command import rows
 from validation.effects.cost_growth import Growth
 from validation.effects.costs import EffectCost, LevelCost
@@ -94,7 +94,7 @@ def _add_effects(found: Report, content: measurements.Content) -> None:
     found.effects = measurements.effect_costs(content)
     found.growths = measurements.growths(content)
     if found.effects:
-        found.figures["effects"] = effects_figure.diagram(found.effects)
+        found.figures["effects"] = effect_cost_figure.diagram(found.effects)
 
 
 _ADDED: Mapping[str, Callable[[Report, measurements.Content], None]] = {

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
+from sandbox.physics.contacts.direct.kicks.kick_records import Stage
 from sandbox.physics.contacts.impacts.contact_work import KickRecord
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.energy_and_momentum import MechanicalEnergy, velocity_of

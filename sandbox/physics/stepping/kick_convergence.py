@@ -80,7 +80,7 @@ class KickRepetition:
         rounding = 1e-15 * float(velocity_change or np.abs(kick.start).max(initial=0.0))
         cyclic_rounding = UNSETTLED * rounding
         if self._solves_positions:
-            from sandbox.physics.contacts.direct.solving.rounding_residual import (
+            from sandbox.physics.contacts.direct.solving.velocity_rounding import (
                 spread,
                 velocity_rounding,
             )

@@ -33,7 +33,7 @@ from sandbox.physics.contacts.direct.drifts.subdrifts import CutDrift, Subdrift
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
 from sandbox.physics.contacts.direct.kicks.breaking_loose import with_breakaway
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
-from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult, Stage
+from sandbox.physics.contacts.direct.kicks.kick_records import KickResult, Stage
 from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, solve_kick
 from sandbox.physics.contacts.direct.kicks.speculative_kicks import close_slow_corners
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts

@@ -45,7 +45,7 @@ from sandbox.physics.contacts.direct.drifts.subdrifts import (
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, crowd, stopped
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
-from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
+from sandbox.physics.contacts.direct.kicks.kick_records import Stage
 from sandbox.physics.contacts.direct.kicks.speculative_kicks import close_slow_corners
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts

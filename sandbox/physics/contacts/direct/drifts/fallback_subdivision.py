@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult, Stage
+from sandbox.physics.contacts.direct.kicks.kick_records import KickResult, Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans, Integers

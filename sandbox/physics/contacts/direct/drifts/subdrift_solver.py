@@ -9,7 +9,7 @@ from sandbox.physics.contacts.direct.complementarity.complementarity_problem imp
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
 from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift, others_of
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
-from sandbox.physics.contacts.direct.kicks.kick_stages import Stage
+from sandbox.physics.contacts.direct.kicks.kick_records import Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans

@@ -13,7 +13,7 @@ from sandbox.physics.contacts.direct.drifts.fallback_subdivision import (
     DividedDrift,
     KickBetweenParts,
 )
-from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult, Stage
+from sandbox.physics.contacts.direct.kicks.kick_records import KickResult, Stage
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.engine.space_arrays import Booleans, Integers

@@ -9,7 +9,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
 from sandbox.physics.contacts.direct.drifts import fallback_subdivision
-from sandbox.physics.contacts.direct.kicks.kick_stages import KickResult
+from sandbox.physics.contacts.direct.kicks.kick_records import KickResult
 from sandbox.physics.contacts.direct.kicks.kick_with_impacts import KickStart, solve_kick
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solver import DirectSolver

@@ -1,4 +1,4 @@
-"""The stages of a kick with impacts, and its result."""
+"""The records of a kick with impacts: its stages, and its result."""
 
 from typing import NamedTuple
 
