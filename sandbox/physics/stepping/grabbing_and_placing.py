@@ -31,17 +31,22 @@ def grab(setup: Setup, body: str, point: XY) -> None:
     forces.hand.grab(list(scene.bodies).index(body), point)
 
 
-def place(setup: Setup, plugins: Plugins, positions: Mapping[str, XY], now: Snapshot) -> None:
-    """Move bodies to positions [m], with their present velocities.
-
-    Raises `SimulationError` if a position is outside the grid in which pymunk finds pairs.
-    """
-    scene, t = setup.scene, setup.kicks.clock.after(0)
+def require_reach(setup: Setup, positions: Mapping[str, XY]) -> None:
+    """Raise `SimulationError` if a position [m] is outside the grid in which pymunk finds pairs."""
+    scene = setup.scene
     for name, position in positions.items():
         if isfinite(scene.reach) and not max(map(abs, position)) < scene.reach:
             from sandbox.physics.stepping.plugins.grid_bounds import out_of_bounds
 
-            raise out_of_bounds(name, scene, t)
+            raise out_of_bounds(name, scene, setup.kicks.clock.after(0))
+
+
+def place(setup: Setup, plugins: Plugins, positions: Mapping[str, XY], now: Snapshot) -> None:
+    """Move bodies to positions within reach [m], with their present velocities.
+
+    Joints adapt to the new positions. Raises `JointFailure` if one cannot.
+    """
+    scene, t = setup.scene, setup.kicks.clock.after(0)
     for name, position in positions.items():
         scene.bodies[name].position = position
         scene.space.reindex_shapes_for_body(scene.bodies[name])

@@ -204,10 +204,11 @@ class World:
         """Move bodies to positions [m] with their present velocities; strings adapt their lengths.
 
         Return the new state, from which the run continues as if it had started there. Raises
-        `SimulationError` if it cannot continue from there.
+        `SimulationError` if it cannot continue from there; a position out of reach changes nothing.
         """
         from sandbox.physics.stepping import grabbing_and_placing
 
+        grabbing_and_placing.require_reach(self._setup, positions)
         self.disturbed = True
         try:
             with np.errstate(all="ignore"):
