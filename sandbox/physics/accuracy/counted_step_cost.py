@@ -4,6 +4,7 @@ The search for an accuracy depends on the cost of runs. If that were timed, the 
 have different results.
 """
 
+import gc
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from types import FrameType
@@ -52,17 +53,23 @@ def counted_cost(level: Level, values: Values, stepping: Stepping) -> float:
 
 
 def _calls(world: World, steps: int) -> int:
-    """Return the number of Python calls in some steps."""
-    count = 0
+    """Return the number of Python calls in some steps.
+
+    The garbage collector pauses: what it would call at the end of other objects is no part of them.
+    """
+    count, collects = 0, gc.isenabled()
 
     def note(_frame: FrameType, event: str, _arg: object) -> None:
         nonlocal count
         count += event in ("call", "c_call")
 
+    gc.disable()
     sys.setprofile(note)
     try:
         for _ in range(steps):
             world.step()
     finally:
         sys.setprofile(None)
+        if collects:
+            gc.enable()
     return count
