@@ -12,7 +12,7 @@ T = TypeVar("T")
 def consume(things: Iterable[T], label: str, total: int) -> list[T]:
     """Return the items of an iterable, with progress on the terminal while they are computed.
 
-    The work belongs into the iterable: an error in it ends the bar at once.
+    The work is done by the iterable, so that an error in it ends the bar at once.
     """
     console = Console(stderr=True)
     hidden = not console.is_terminal
