@@ -1,11 +1,9 @@
 """Loading a level from a file: complete and frozen, or a `LevelError` with every mistake."""
 
 import codecs
-import gc
 import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from functools import reduce
 from math import isfinite
 from operator import getitem
@@ -16,6 +14,7 @@ import numpy as np
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
+from sandbox.garbage_pause import uncollected
 from sandbox.model import parse_messages
 from sandbox.model.comments import without_comments
 from sandbox.model.did_you_mean import did_you_mean
@@ -90,7 +89,8 @@ def decoded(held: bytes, source: str) -> str:
 def parse(text: str, source: str = "<text>") -> Level:
     """Make a level from the JSON text of a source; raise `LevelError` if it has mistakes."""
     try:
-        with np.errstate(all="ignore"), _uncollected():  # what is not finite is reported by name
+        # What is not finite is reported by name; collecting takes a third of a large level's time.
+        with np.errstate(all="ignore"), uncollected():
             return _parsed(text, source)
     except LevelError:
         raise
@@ -102,21 +102,6 @@ def parse(text: str, source: str = "<text>") -> Level:
             what=what,
         )
         raise LevelError((Mistake(source, None, None, "", rule),)) from error
-
-
-@contextmanager
-def _uncollected() -> Iterator[None]:
-    """Switch off the garbage collector, which takes a third of the time for a large level.
-
-    Only parts that refer to each other wait until it is on again; all others are freed as ever.
-    """
-    before = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if before:
-            gc.enable()
 
 
 def _parsed(text: str, source: str) -> Level:

@@ -4,11 +4,11 @@ The search for an accuracy depends on the cost of runs. If that were timed, the 
 have different results.
 """
 
-import gc
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from types import FrameType
 
+from sandbox.garbage_pause import uncollected
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.measuring.recording import count_steps
@@ -57,19 +57,17 @@ def _calls(world: World, steps: int) -> int:
 
     The garbage collector pauses: what it would call at the end of other objects is no part of them.
     """
-    count, collects = 0, gc.isenabled()
+    count = 0
 
     def note(_frame: FrameType, event: str, _arg: object) -> None:
         nonlocal count
         count += event in ("call", "c_call")
 
-    gc.disable()
-    sys.setprofile(note)
-    try:
-        for _ in range(steps):
-            world.step()
-    finally:
-        sys.setprofile(None)
-        if collects:
-            gc.enable()
+    with uncollected():
+        sys.setprofile(note)
+        try:
+            for _ in range(steps):
+                world.step()
+        finally:
+            sys.setprofile(None)
     return count
