@@ -18,10 +18,10 @@ from sandbox.model import level_catalog
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
-from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.counted_step_cost import counted_cost
 from sandbox.physics.accuracy.exceptions import AccuracyError
+from sandbox.physics.accuracy.requested_accuracy import Setting, calibrate
 from sandbox.physics.accuracy.step_refinement import largest_relative_difference, lowest_rate
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.scene.usable_schemes import usable

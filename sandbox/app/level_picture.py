@@ -9,9 +9,8 @@ import pygame
 
 from sandbox.app.cards.checks import checks
 from sandbox.app.cards.energy import energy
-from sandbox.app.drawing import theme
+from sandbox.app.drawing import energy_graph, theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing import energy_graph
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.level.card import clock, header, settings
 from sandbox.app.pages.race import scheme_comparison

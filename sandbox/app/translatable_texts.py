@@ -23,7 +23,7 @@ from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
-from sandbox.physics.accuracy.accuracy_study import Stage
+from sandbox.physics.accuracy.error_causes_and_costs import Stage
 from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL
 from sandbox.physics.measuring.goals import Standing
 

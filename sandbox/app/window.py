@@ -12,9 +12,9 @@ from sandbox.app.files.open_level_watch import FileWatch
 from sandbox.app.frame_budget import FrameBudget
 from sandbox.app.frame_painting import paint
 from sandbox.app.impact_sounds import Sounds
-from sandbox.app.long_frames import LongFrameWatch
 from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.pages.register import preload
+from sandbox.app.responding_during_long_frames import LongFrameWatch
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.app.workspace import SIZE, Workspace

@@ -16,7 +16,7 @@ from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.measuring.stage_mouse import StageMouse
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
-from sandbox.app.pages.workers import Workers
+from sandbox.app.pages.worker_registry import Workers
 from sandbox.app.panels import refused_level, stage_messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.runs import runfile

@@ -125,7 +125,7 @@ def fit(request: ExperimentRequest, names: Sequence[str], data: Path | None, out
 def _plan(request: ExperimentRequest) -> "Plan":
     from sandbox.experiments import catalog
     from sandbox.experiments.experiment_file import parsed
-    from sandbox.experiments.make_plan import make
+    from sandbox.experiments.plan_validation import make
 
     if not (request.vary or request.measure):
         if request.set or request.others:

@@ -19,9 +19,9 @@ from sandbox.app.translatable_texts import has_words, shown_keys, words
 from sandbox.app.words import language, level_translation
 from sandbox.app.words.level_translation import words_of_name
 from sandbox.model import level_catalog
+from sandbox.model.annotated_field_search import prose
 from sandbox.model.file_writing import generate, write_atomically
 from sandbox.model.loading import load
-from sandbox.model.marked_fields import prose
 from sandbox.optional_packages import needed_for
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping
 
 from sandbox.editing.bodies_at_start import PlacedBody, placed, xy
 from sandbox.editing.formula_arithmetic import shifted
-from sandbox.editing.json_layout import Json
+from sandbox.editing.inserted_value_layout import Json
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.comments import read_level
 from sandbox.model.expressions import Expression

@@ -12,7 +12,7 @@ from typing import Any
 from sandbox.editing.cleanup_after_edit import without_meaning
 from sandbox.editing.expanded_level import expanded
 from sandbox.editing.formula_arithmetic import renamed
-from sandbox.editing.json_layout import plain as rounded
+from sandbox.editing.inserted_value_layout import plain as rounded
 from sandbox.model import level_writing
 from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError

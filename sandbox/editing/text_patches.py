@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Mapping
 from itertools import takewhile
 
-from sandbox.editing.json_layout import INDENT, Json, laid_out, line
+from sandbox.editing.inserted_value_layout import INDENT, Json, laid_out, line
 from sandbox.editing.json_spans import Span, Spans
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_document import Document

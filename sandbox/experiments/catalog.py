@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from sandbox.experiments.experiment_file import Experiment, read
-from sandbox.experiments.make_plan import make
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.plan_validation import make
 from sandbox.model import level_catalog
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import LevelError, brief

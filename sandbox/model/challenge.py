@@ -5,10 +5,10 @@ from typing import Annotated
 
 from pydantic import Field
 
+from sandbox.model.annotated_field_search import Prose
 from sandbox.model.base import Model, Name
 from sandbox.model.expressions import Expression
 from sandbox.model.instants import Instant
-from sandbox.model.marked_fields import Prose
 from sandbox.model.number_bounds import Finite
 from sandbox.model.reference_fields import ParameterName, QuantityName
 

@@ -19,6 +19,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from sandbox.model.annotated_field_search import Prose
 from sandbox.model.base import Model, Name
 from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.challenge import Challenge
@@ -36,7 +37,6 @@ from sandbox.model.joints import (
     Joint,
 )
 from sandbox.model.json_positions import Origin, Path
-from sandbox.model.marked_fields import Prose
 from sandbox.model.named_constants import define
 from sandbox.model.number_bounds import Duration, Finite
 from sandbox.model.reference_fields import Mention, QuantityName

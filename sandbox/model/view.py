@@ -5,12 +5,12 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field
 
+from sandbox.model.annotated_field_search import Prose
 from sandbox.model.base import Model
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.expressions import Array, Values
 from sandbox.model.functions_of_one_variable import Profile
 from sandbox.model.joints import End
-from sandbox.model.marked_fields import Prose
 from sandbox.model.number_bounds import Coordinate, Extent
 from sandbox.model.reference_fields import BodyName, BodyNames
 from sandbox.model.shapes import Point

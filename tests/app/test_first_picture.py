@@ -24,7 +24,7 @@ LATER = (
     "sandbox.app.pages.graph.panel",
     "sandbox.editing.suggested_checks",
     "sandbox.experiments.plan",
-    "sandbox.physics.accuracy.accuracy_study",
+    "sandbox.physics.accuracy.error_causes_and_costs",
 )
 """Modules that the first picture does not need."""
 

@@ -6,10 +6,10 @@ from pathlib import Path
 import pygame
 import pytest
 
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.overlays import register
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.app.stage.view import View
 from tests.app.person import Person
 
 LEVELS = ["kinematics/projectile", "newton/two-forces", "momentum/billiard-break"]

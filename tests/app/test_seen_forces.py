@@ -12,8 +12,8 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import overlay_legend
-from sandbox.app.stage.joint_paths import between_ends
-from sandbox.app.stage.overlays import contacts, loads, turning
+from sandbox.app.stage.joint_polylines import between_ends
+from sandbox.app.stage.overlays import contacts, instantaneous_center_of_rotation, loads
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.stage import Stage
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL
@@ -169,12 +169,12 @@ def test_a_strut_pushes_in_dashes(pen: Pen) -> None:
 
 def test_a_wheel_that_rolls_turns_about_its_point_of_contact(pen: Pen) -> None:
     session = run("rotation/rolling", 60)
-    view = stage(pen, session, "turning").view
+    view = stage(pen, session, "instantaneous_center_of_rotation").view
     assert {outline.name for outline in view.moving} == {"disc", "hoop"}
     for outline in view.moving:
         spin = float(session.world.snapshot.angular_velocity[outline.row])
         (x, y), (vx, vy) = view.state(outline)[0], view.velocity(outline)
-        center = turning.center_of_rotation(view, outline, spin)
+        center = instantaneous_center_of_rotation.center_of_rotation(view, outline, spin)
         assert outline.radius is not None
 
         away = hypot(center[0] - x, center[1] - y)
@@ -188,15 +188,15 @@ def test_a_body_that_moves_as_a_whole_has_no_arrows_at_its_corners(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The corners of a car and its load nearly hid the wheels, whose points differ in velocity."""
-    view = stage(pen, run("machines/car-over-bumps", 240), "turning").view
+    view = stage(pen, run("machines/car-over-bumps", 240), "instantaneous_center_of_rotation").view
     arrows = list[object]()
     monkeypatch.setattr(lines, "arrow", lambda *drawn: arrows.append(drawn))
 
-    turning._draw(pygame.Surface(SIZE), view)
+    instantaneous_center_of_rotation._draw(pygame.Surface(SIZE), view)
 
     wheels = [outline for outline in view.moving if outline.radius is not None]
     assert len(wheels) == 2
-    assert len(arrows) == len(wheels) * turning.AROUND
+    assert len(arrows) == len(wheels) * instantaneous_center_of_rotation.AROUND
 
 
 @pytest.mark.parametrize("width", [620, 440, 360])
@@ -212,7 +212,9 @@ def test_a_key_too_wide_for_the_stage_is_written_smaller(pen: Pen, width: int) -
     assert (pygame.surfarray.array3d(drawn) == theme.PANEL).all(axis=2).any()
 
 
-@pytest.mark.parametrize("overlay", [contacts.OVERLAY, loads.OVERLAY, turning.OVERLAY])
+@pytest.mark.parametrize(
+    "overlay", [contacts.OVERLAY, loads.OVERLAY, instantaneous_center_of_rotation.OVERLAY]
+)
 def test_the_page_of_the_forces_has_a_button_for_it(person: Person, overlay: Overlay) -> None:
     person.window.open_level("rotation/rolling")
     person.press(pygame.K_j, "j")

@@ -10,7 +10,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import joints, strings
 from sandbox.app.stage.body_outlines import outlines
-from sandbox.app.stage.joint_paths import between_all_ends, between_ends
+from sandbox.app.stage.joint_polylines import between_all_ends, between_ends
 from sandbox.app.stage.stage import Stage
 from sandbox.model import level_catalog
 from sandbox.model.joints import Rod, Wire

@@ -8,7 +8,7 @@ from threading import Timer
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.physics.accuracy import accuracy_study
+from sandbox.physics.accuracy import error_causes_and_costs
 
 
 def count(many: int) -> Iterator[int]:
@@ -50,7 +50,7 @@ def deaf_to() -> Iterator[set[int]]:
     yield set(signal.pthread_sigmask(signal.SIG_BLOCK, ()))
 
 
-def short_study(level: Level, values: Values) -> Iterator[accuracy_study.Finding]:
+def short_study(level: Level, values: Values) -> Iterator[error_causes_and_costs.Finding]:
     """Study a level, with less time for each scheme."""
-    accuracy_study.REFINING = 0.1  # in a process of its own
-    yield from accuracy_study.study(level, values)
+    error_causes_and_costs.REFINING = 0.1  # in a process of its own
+    yield from error_causes_and_costs.study(level, values)

@@ -11,8 +11,8 @@ from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.executors import Executor, SerialExecutor
 from sandbox.experiments.experiment_file import parsed
 from sandbox.experiments.experiment_folder import Store
-from sandbox.experiments.make_plan import make
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.plan_validation import make
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 

@@ -9,8 +9,8 @@ import pytest
 
 from sandbox.experiments import catalog, report, schema
 from sandbox.experiments.experiment_folder import RESULTS
-from sandbox.experiments.make_plan import make
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.plan_validation import make
 from tests.experiments.making import table
 
 

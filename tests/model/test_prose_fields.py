@@ -6,10 +6,10 @@ from typing import Any, get_args, get_type_hints
 
 import pytest
 
+from sandbox.model.annotated_field_search import Words, prose
 from sandbox.model.base import Model
 from sandbox.model.level import Level, Parameter
 from sandbox.model.loading import parse
-from sandbox.model.marked_fields import Words, prose
 from sandbox.model.reference_fields import Mention
 from tests.model.levels import bare
 

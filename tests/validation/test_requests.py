@@ -8,8 +8,8 @@ import pytest
 from sandbox.model.level import Scheme, Stepping
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
-from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.offered_settings import Offer
+from sandbox.physics.accuracy.requested_accuracy import Setting
 from validation.cost.accuracy_requests import Request
 from validation.cost.report import asked, summed
 from validation.cost.sweep import Budget, Point, Sweep, errors, timed

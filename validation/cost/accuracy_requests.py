@@ -7,7 +7,7 @@ from math import inf, nan
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy.calibration import calibrate
+from sandbox.physics.accuracy.requested_accuracy import calibrate
 from sandbox.physics.measuring.recording import needed
 from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.run import build, simulate

@@ -10,9 +10,9 @@ from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.model.quantities import TIME
-from sandbox.physics.accuracy.accuracy_study import trusted
-from sandbox.physics.accuracy.calibration import BUDGET
 from sandbox.physics.accuracy.compared_runs import motion
+from sandbox.physics.accuracy.error_causes_and_costs import trusted
+from sandbox.physics.accuracy.requested_accuracy import BUDGET
 from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.run import build

@@ -23,8 +23,8 @@ from validation.effects.costs import EffectCost, LevelCost
 from validation.report import measurements
 from validation.report.digest.claims import Cases, cases, chosen, share
 from validation.report.digest.costs import Costs, Requests, costs, hooks
+from validation.report.digest.grouping_by_chapter import by_chapter
 from validation.report.digest.hard_cases import HardCases, hard_cases
-from validation.report.digest.levels_by_chapter import by_chapter
 from validation.stability import report as stability_report
 
 SHOWN = 4

@@ -6,7 +6,7 @@ from typing import Any, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from sandbox.app.building.editable_fields import bare_type
-from sandbox.editing.json_layout import Json
+from sandbox.editing.inserted_value_layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Positive

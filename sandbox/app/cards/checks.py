@@ -16,7 +16,7 @@ from sandbox.app.words.level_translation import Say, title
 from sandbox.model.level import Check
 
 if TYPE_CHECKING:
-    from sandbox.physics.accuracy.accuracy_study import ErrorBudget
+    from sandbox.physics.accuracy.error_causes_and_costs import ErrorBudget
 
 NOTHING: Mapping[int, "ErrorBudget"] = {}
 TOUCHED = later("This run was moved or changed by hand: no formula describes it.")

@@ -5,10 +5,9 @@ from collections.abc import Sequence
 import pygame
 
 from sandbox.app.cards.card import GAP, Card, bar
-from sandbox.app.drawing import theme
+from sandbox.app.drawing import energy_graph, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing import energy_graph
 from sandbox.app.observing.energy_books import Energies
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say, say_in

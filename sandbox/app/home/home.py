@@ -13,7 +13,7 @@ from sandbox.app.files.level_entries import Entry
 from sandbox.app.home.card_grid import HEADING, MARGIN, Grid, lay_out, sections
 from sandbox.app.home.chapter_bar import ChapterBar
 from sandbox.app.home.draft_strip import Strip, Unsaved
-from sandbox.app.home.preview import Preview
+from sandbox.app.home.playing_preview import Preview
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
 from sandbox.model import level_catalog

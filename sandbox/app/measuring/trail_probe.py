@@ -10,7 +10,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.observing.earlier_runs import have_same_bodies
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.runs.session import Session
-from sandbox.app.stage.view import View
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.words import formatting
 from sandbox.model.shapes import XY
 

@@ -16,7 +16,7 @@ from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_budget import Load
 from sandbox.app.home.home import Home
 from sandbox.app.pages import register
-from sandbox.app.pages.workers import Workers
+from sandbox.app.pages.worker_registry import Workers
 from sandbox.app.panels import stage_messages
 from sandbox.app.panels.home_bar import HomeBar
 from sandbox.app.panels.keyboard_focus import Focus

@@ -14,7 +14,7 @@ from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_budget import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import AskingPage, CommandPage, Desk, ZoomablePage
-from sandbox.app.pages.workers import Workers
+from sandbox.app.pages.worker_registry import Workers
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
 from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Footer, View
 from sandbox.app.runs.session import Session

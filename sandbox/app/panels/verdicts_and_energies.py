@@ -10,9 +10,9 @@ from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app.cards.energy import energy, ledger, total
+from sandbox.app.drawing import energy_graph
 from sandbox.app.drawing.text import Pen
 from sandbox.app.keymap import tip
-from sandbox.app.observing import energy_graph
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import MARGIN, Sheet
 from sandbox.app.words.language import later, plural, say

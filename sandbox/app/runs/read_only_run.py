@@ -20,7 +20,7 @@ from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
-    from sandbox.physics.accuracy.calibration import Setting
+    from sandbox.physics.accuracy.requested_accuracy import Setting
 
 
 class RunView:

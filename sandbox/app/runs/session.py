@@ -19,7 +19,7 @@ from sandbox.physics.measuring.goals import Attempt
 from sandbox.physics.state.simulation_errors import SimulationError
 
 if TYPE_CHECKING:
-    from sandbox.physics.accuracy.calibration import Setting
+    from sandbox.physics.accuracy.requested_accuracy import Setting
     from sandbox.physics.advising.remedy_trials import Advice
 
 MOST_LEVELS = 4

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 import pygame
 
 from sandbox.app.drawing import lines
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.observer import CENTER
-from sandbox.app.stage.view import View
 from sandbox.app.words import level_translation
 from sandbox.app.words.formatting import name_in_words
 from sandbox.app.words.language import say

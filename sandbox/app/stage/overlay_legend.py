@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.app.stage.view import View
+from sandbox.app.stage.drawing_context import View
 from sandbox.model.shapes import XY
 
 MARGIN = 8  # px, from the corner

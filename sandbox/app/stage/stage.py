@@ -16,7 +16,7 @@ from sandbox.app.stage import (
     belts_and_flames,
     bodies,
     grid,
-    joint_paths,
+    joint_polylines,
     joints,
     level_labels,
     liquid,
@@ -25,13 +25,13 @@ from sandbox.app.stage import (
     wires,
 )
 from sandbox.app.stage.body_outlines import Outline
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.given_force_arrows import Arrow
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.observer import Observer
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
-from sandbox.app.stage.view import View
 from sandbox.app.words import level_translation
 from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate
@@ -282,7 +282,11 @@ class Stage:
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
         """Draw the joints in front of bodies, and open ones, or else those behind bodies."""
         world, many = self.view.world, len(self.view.world.level.joints) > bodies.FEW
-        paths = joint_paths.between_all_ends(world) if many and not in_front else joint_paths.NONE
+        paths = (
+            joint_polylines.between_all_ends(world)
+            if many and not in_front
+            else joint_polylines.NONE
+        )
         t, made = float(world.snapshot.t), world.scene.joints
         for row, (name, joint) in enumerate(world.level.joints.items()):
             drawn = isinstance(joint, joints.IN_FRONT) is in_front and not isinstance(joint, Wire)
@@ -294,7 +298,7 @@ class Stage:
                 continue
             if not drawn:
                 continue
-            path = joint_paths.path_of(self.camera, world, name, joint, self._angle_of, paths)
+            path = joint_polylines.path_of(self.camera, world, name, joint, self._angle_of, paths)
             if many:
                 joints.draw_crowd(surface, self.camera, path)
             else:
@@ -309,7 +313,7 @@ class Stage:
         world = self.view.world
         latches = world.scene.joints.latches
         if latches and latches.is_open(name, float(world.snapshot.t)):
-            joints.draw_open(surface, self.camera, joint_paths.between_ends(world, name))
+            joints.draw_open(surface, self.camera, joint_polylines.between_ends(world, name))
 
     def _draw_bodies(self, surface: pygame.Surface) -> None:
         many = len(self.view.moving) > bodies.FEW
@@ -343,6 +347,6 @@ def _mark_lines(view: View, drawn: Sequence[Sequence[XY]]) -> None:
     for name, joint in view.world.level.joints.items():
         if isinstance(joint, Wire):
             continue
-        pixels = view.camera.path(joint_paths.between_ends(view.world, name))
+        pixels = view.camera.path(joint_polylines.between_ends(view.world, name))
         for start, end in pairwise(pixels):
             view.labels.mark(start, end)

@@ -22,8 +22,8 @@ from sandbox.physics.measuring.goals import Outcome
 from sandbox.physics.measuring.run_comparison import Difference
 
 if TYPE_CHECKING:
-    from sandbox.physics.accuracy.calibration import Setting
     from sandbox.physics.accuracy.offered_settings import Offer
+    from sandbox.physics.accuracy.requested_accuracy import Setting
     from sandbox.physics.accuracy.trusted_digits import Trust
 
 MINUS = "−"

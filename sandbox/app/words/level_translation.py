@@ -10,8 +10,8 @@ from pathlib import Path
 
 from sandbox.app.words import language
 from sandbox.model import level_catalog
+from sandbox.model.annotated_field_search import prose
 from sandbox.model.level import Check, Level
-from sandbox.model.marked_fields import prose
 
 Say = Callable[[str], str]
 """Translates a text of a level."""

@@ -14,7 +14,7 @@ from sandbox.editing.cleanup_after_edit import COEFFICIENTS, first_valid, withou
 from sandbox.editing.drawn_outlines import centroid, simplified
 from sandbox.editing.edits.automatic_title import without_empty_summary
 from sandbox.editing.edits.edit_result import EditResult, new_name
-from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.inserted_value_layout import Json, plain
 from sandbox.editing.text_patches import put, put_all, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sandbox.editing.bodies_at_start import PlacedBody, bounding_box, placed
 from sandbox.editing.cleanup_after_edit import accepted, without_meaning
-from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.inserted_value_layout import Json, plain
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

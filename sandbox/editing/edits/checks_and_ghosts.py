@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal
 
 from sandbox.editing.cleanup_after_edit import accepted, without_meaning
-from sandbox.editing.json_layout import Json
+from sandbox.editing.inserted_value_layout import Json
 from sandbox.editing.text_patches import Changes, put, put_all, remove
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level

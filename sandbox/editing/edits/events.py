@@ -2,7 +2,7 @@
 
 from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits.edit_result import new_name
-from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.inserted_value_layout import Json, plain
 from sandbox.editing.text_patches import put
 from sandbox.model.level import Level
 

@@ -10,7 +10,7 @@ from sandbox.editing.bodies_at_start import placed
 from sandbox.editing.cleanup_after_edit import COEFFICIENTS, accepted, without_meaning
 from sandbox.editing.edits.bodies import DENSITY
 from sandbox.editing.edits.effects import declare
-from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.inserted_value_layout import Json, plain
 from sandbox.editing.text_patches import PatchError, put, put_all, remove, shown, type_in, value_at
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.expressions import Expression, Fraction

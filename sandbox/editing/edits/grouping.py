@@ -5,7 +5,7 @@ A group is an item of `view.together`. No body is in two groups.
 
 from collections.abc import Collection
 
-from sandbox.editing.json_layout import Json
+from sandbox.editing.inserted_value_layout import Json
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

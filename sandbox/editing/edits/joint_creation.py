@@ -11,7 +11,7 @@ from typing import NamedTuple
 from sandbox.editing.bodies_at_start import PlacedBody, distance, placed, xy
 from sandbox.editing.cleanup_after_edit import accepted, without_meaning
 from sandbox.editing.edits.edit_result import EditResult, new_name
-from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.inserted_value_layout import Json, plain
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError

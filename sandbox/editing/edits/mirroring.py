@@ -6,7 +6,7 @@ from typing import Literal
 from sandbox.editing.attached_bodies import attached
 from sandbox.editing.bodies_at_start import bodies_named, bounding_box
 from sandbox.editing.formula_arithmetic import negative, shifted
-from sandbox.editing.json_layout import Json
+from sandbox.editing.inserted_value_layout import Json
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.body import Body
 from sandbox.model.expressions import Expression

@@ -11,7 +11,7 @@ from sandbox.editing.bodies_at_start import PlacedBody, distance, placed
 from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits.field_values import parameter_name
 from sandbox.editing.formula_arithmetic import rounded, sum_of
-from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.inserted_value_layout import Json, plain
 from sandbox.editing.text_patches import put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.joint_ends_at_start import end_position

@@ -15,7 +15,7 @@ from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
 from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.edits.field_values import set_field
 from sandbox.editing.formula_arithmetic import scaled, towards
-from sandbox.editing.json_layout import Json
+from sandbox.editing.inserted_value_layout import Json
 from sandbox.editing.renaming import rename
 from sandbox.editing.text_patches import Changes, put, put_all, value_at
 from sandbox.model.comments import read_level

@@ -10,7 +10,7 @@ from sandbox.editing.cleanup_after_edit import COEFFICIENTS, accepted
 from sandbox.editing.edits.edit_result import EditResult, new_name
 from sandbox.editing.edits.effects import declare
 from sandbox.editing.edits.field_values import set_field
-from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.inserted_value_layout import Json, plain
 from sandbox.editing.text_patches import put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of

@@ -12,7 +12,7 @@ from sandbox.editing.bodies_at_start import PlacedBody, distance, placed, xy
 from sandbox.editing.cleanup_after_edit import accepted
 from sandbox.editing.edits.field_values import parameter_name
 from sandbox.editing.formula_arithmetic import rounded, sum_of
-from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.inserted_value_layout import Json, plain
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of, body_of, ends_of

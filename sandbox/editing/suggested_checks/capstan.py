@@ -9,7 +9,7 @@ from itertools import pairwise
 from math import pi, sqrt
 from typing import Any, NamedTuple
 
-from sandbox.editing.json_layout import plain
+from sandbox.editing.inserted_value_layout import plain
 from sandbox.editing.suggested_checks.incline import friction
 from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,

@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.editing.bodies_at_start import Core, PlacedBody
 from sandbox.editing.formula_arithmetic import negative
-from sandbox.editing.json_layout import plain
+from sandbox.editing.inserted_value_layout import plain
 from sandbox.editing.suggested_checks.recogniser_input import (
     SAFE,
     SAMPLES,

@@ -9,7 +9,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from sandbox.editing.bodies_at_start import PlacedBody
-from sandbox.editing.json_layout import plain
+from sandbox.editing.inserted_value_layout import plain
 from sandbox.editing.suggested_checks.incline import friction, side
 from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,

@@ -9,7 +9,7 @@ from math import pi, sqrt
 
 import numpy as np
 
-from sandbox.editing.json_layout import plain
+from sandbox.editing.inserted_value_layout import plain
 from sandbox.editing.suggested_checks.recogniser_input import (
     TOUCHING,
     Scene,

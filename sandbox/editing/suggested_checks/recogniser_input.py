@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from sandbox.editing.bodies_at_start import Core, PlacedBody, distance
-from sandbox.editing.json_layout import plain
+from sandbox.editing.inserted_value_layout import plain
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Rod, Rope, Spring, bodies_of, body_of
 from sandbox.model.level import Level

@@ -23,9 +23,9 @@ from sandbox.model.expressions import Values
 from sandbox.model.file_writing import make_folder, read_ordinary, write_atomically
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
-from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Stop, never
-from sandbox.physics.accuracy.refinement_search import Progress
+from sandbox.physics.accuracy.refinement_scheduling import Progress
+from sandbox.physics.accuracy.requested_accuracy import Setting, calibrate
 from sandbox.physics.scene.usable_schemes import require
 from sandbox.physics.state.simulation_errors import SchemeError
 

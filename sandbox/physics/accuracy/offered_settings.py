@@ -10,7 +10,7 @@ from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.compared_runs import Watched, stride
 from sandbox.physics.accuracy.event_timing_errors import hidden_error
-from sandbox.physics.accuracy.refinement_search import at_rate
+from sandbox.physics.accuracy.refinement_scheduling import at_rate
 from sandbox.physics.accuracy.step_refinement import (
     PARTS,
     SMOOTH,

@@ -27,11 +27,10 @@ from sandbox.physics.accuracy.compared_runs import (
     stride,
 )
 from sandbox.physics.accuracy.counted_step_cost import counted_cost
-from sandbox.physics.accuracy.early_refusal import Doubt, OutOfReach
 from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocities
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.offered_settings import Candidate, Offers, SearchResult
-from sandbox.physics.accuracy.refinement_search import (
+from sandbox.physics.accuracy.refinement_scheduling import (
     FEWEST,
     Progress,
     Refiner,
@@ -49,6 +48,7 @@ from sandbox.physics.accuracy.step_refinement import (
     octaves,
     shared_rate,
 )
+from sandbox.physics.accuracy.unreachable_accuracy import Doubt, OutOfReach
 from sandbox.physics.guarding.least_step_rate import required_rate
 from sandbox.physics.measuring.recording import Recorder, Trace
 from sandbox.physics.state.simulation_errors import SimulationError

@@ -33,8 +33,8 @@ from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.events.impact_response import DriftImpacts
-from sandbox.physics.events.slip_work import SlipEntries
-from sandbox.physics.events.switching_events import EventEntries
+from sandbox.physics.events.joint_cuts_and_force_switches import EventEntries
+from sandbox.physics.events.slip_phases import SlipEntries
 from sandbox.physics.forces.spring import damps
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.joint_forces import pulls_of

@@ -15,8 +15,8 @@ from sandbox.physics.state.snapshot import Snapshot
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
     from sandbox.physics.events.impact_response import DriftImpacts
-    from sandbox.physics.events.slip_work import SlipEntries
-    from sandbox.physics.events.switching_events import EventEntries
+    from sandbox.physics.events.joint_cuts_and_force_switches import EventEntries
+    from sandbox.physics.events.slip_phases import SlipEntries
 
 
 class StepRecord(NamedTuple):

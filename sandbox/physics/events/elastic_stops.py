@@ -22,8 +22,8 @@ from sandbox.model.level import Level
 from sandbox.model.translatable_message import Message
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.events.breaking_at_impact import broken_jolt
+from sandbox.physics.events.joint_cuts_and_force_switches import NEAR, Part, first_time
 from sandbox.physics.events.joint_impacts import Jolt, jolt
-from sandbox.physics.events.switching_events import NEAR, Part, first_time
 from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints

@@ -15,7 +15,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.coefficients.static_friction import Memory
 from sandbox.physics.contacts.impacts.impact_step_velocity import NEGLIGIBLE, rates_apart, touching
 from sandbox.physics.engine.space_arrays import Contacts, Integers
-from sandbox.physics.events.slip_work import Slips
+from sandbox.physics.events.slip_phases import Slips
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.scene.scene import Scene
 

@@ -7,7 +7,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts
 from sandbox.physics.events.post_event_accelerations import ContinuationSolver
-from sandbox.physics.events.slip_work import Slips
+from sandbox.physics.events.slip_phases import Slips
 
 WEAKER = 1e-6
 """A contact whose friction is below its limit by more than this share no longer slips."""

@@ -26,7 +26,7 @@ from sandbox.physics.contacts.impacts.impact_step_velocity import impacts, reach
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.events.post_event_accelerations import ContinuationSolver
 from sandbox.physics.events.slip_end_detection import SlipDetector
-from sandbox.physics.events.slip_work import Phase, SlipEntries, Slips, slip_entries
+from sandbox.physics.events.slip_phases import Phase, SlipEntries, Slips, slip_entries
 from sandbox.physics.scene.scene import Scene
 
 MOST = 100

@@ -17,7 +17,7 @@ from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.contacts.detection.pair_limit import crowded, most_pairs
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.space_arrays import Contacts, Integers
-from sandbox.physics.guarding.body_thickness import thickness
+from sandbox.physics.geometry.body_thickness import thickness
 from sandbox.physics.guarding.energy_audit import DrivenAudit, PassiveAudit
 from sandbox.physics.guarding.least_step_rate import (
     RateBound,

@@ -19,8 +19,8 @@ from sandbox.physics.contacts.detection.pair_limit import (
     most_pairs,
     refuse_crowd,
 )
+from sandbox.physics.contacts.shapes.closing_corner_gaps_at_start import reach_out
 from sandbox.physics.contacts.shapes.hollow_shapes import HollowShape, make_hollow
-from sandbox.physics.contacts.shapes.initial_corner_gaps import reach_out
 from sandbox.physics.contacts.shapes.pymunk_shapes import (
     DIRECT_SKIN,
     SKIN,

@@ -5,9 +5,8 @@ from itertools import combinations
 import pygame
 import pytest
 
-from sandbox.app.drawing import line_styles, theme
+from sandbox.app.drawing import energy_graph, line_styles, theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing import energy_graph
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.race import scheme_comparison
 from sandbox.app.stage import run_legend

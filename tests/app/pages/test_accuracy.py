@@ -16,8 +16,8 @@ from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.model.level import Scheme
-from sandbox.physics.accuracy import accuracy_study, calibration_cache
-from sandbox.physics.accuracy.accuracy_study import CurrentSetting, WorkPrecisionPoint
+from sandbox.physics.accuracy import calibration_cache, error_causes_and_costs
+from sandbox.physics.accuracy.error_causes_and_costs import CurrentSetting, WorkPrecisionPoint
 from sandbox.physics.accuracy.trusted_digits import certain_digits
 from sandbox.physics.run import build
 from tests.app import scenes, work
@@ -38,7 +38,7 @@ def waits(person: Person) -> bool:
 @pytest.fixture
 def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Person]:
     """A person who has opened the page of the accuracy, with a ball that falls with drag."""
-    monkeypatch.setattr(accuracy_study, "study", work.short_study)
+    monkeypatch.setattr(error_causes_and_costs, "study", work.short_study)
     person.open(tmp_path, scenes.falling(effects=DRAG, ghosts={}))
     person.press(pygame.K_a, "a")
     yield person

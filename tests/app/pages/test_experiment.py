@@ -9,14 +9,14 @@ import pygame
 import pytest
 
 from sandbox.app.drawing import theme
-from sandbox.app.pages.experiment.card import nearest, span_of
-from sandbox.app.pages.experiment.curve_sampling import (
+from sandbox.app.pages.experiment.background_parameter_sweep import (
     COUNT,
     Point,
     SamplingRefusal,
     coarse_first,
     sample,
 )
+from sandbox.app.pages.experiment.card import nearest, span_of
 from sandbox.app.pages.experiment.panel import ExperimentPage
 from sandbox.app.pages.experiment.parameter_curve import CurveWorker
 from sandbox.app.pages.graph.chosen_quantities import offered

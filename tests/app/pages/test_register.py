@@ -12,7 +12,7 @@ from sandbox.app.drawing.theme import PANEL
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk, Page
 from sandbox.app.pages.register import PAGES
-from sandbox.app.pages.workers import Workers
+from sandbox.app.pages.worker_registry import Workers
 from sandbox.app.panels import tabs
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.run_legend import LegendRow

@@ -26,11 +26,11 @@ from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.words import language
 from sandbox.model import level_catalog
+from sandbox.model.annotated_field_search import Words, prose
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.model.marked_fields import Words, prose
 from sandbox.physics.energy.balance import Balance
 from tests.app.building.builder import Builder
 from tests.app.person import Person, until

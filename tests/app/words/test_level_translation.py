@@ -12,8 +12,8 @@ from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.words import language, level_translation
 from sandbox.app.words.formatting import name_in_words
 from sandbox.model import level_catalog
+from sandbox.model.annotated_field_search import prose
 from sandbox.model.loading import load
-from sandbox.model.marked_fields import prose
 from tests.app.person import Person
 from tests.app.scenes import falling
 

@@ -11,11 +11,11 @@ import pytest
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy import calibration_cache
-from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.calibration_cache import calibrated
 from sandbox.physics.accuracy.exceptions import Cancelled
+from sandbox.physics.accuracy.requested_accuracy import Setting, calibrate
 from sandbox.physics.run import build, simulate
-from tests.physics.accuracy.test_calibration import delivered, oscillator
+from tests.physics.accuracy.test_requested_accuracy import delivered, oscillator
 from tests.physics.scenes import orbit
 
 

@@ -8,7 +8,12 @@ import pytest
 from sandbox.model.level import Stepping
 from sandbox.physics.accuracy.compared_runs import checked, largest_difference, record
 from sandbox.physics.accuracy.error_estimate import estimate
-from tests.physics.accuracy.test_calibration import catalog_level, check, delivered, oscillator
+from tests.physics.accuracy.test_requested_accuracy import (
+    catalog_level,
+    check,
+    delivered,
+    oscillator,
+)
 from tests.physics.scenes import GRAVITY, disc, level
 
 

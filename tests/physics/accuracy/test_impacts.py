@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.accuracy.exceptions import AccuracyError
+from sandbox.physics.accuracy.requested_accuracy import calibrate
 from sandbox.physics.run import simulate
-from tests.physics.accuracy.test_calibration import catalog_level
+from tests.physics.accuracy.test_requested_accuracy import catalog_level
 from tests.physics.scenes import disc, fixed, level
 
 

@@ -6,8 +6,8 @@ import pytest
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.space_arrays import NO_CONTACTS
 from sandbox.physics.events.impact_response import DriftImpacts, Impact
+from sandbox.physics.events.joint_cuts_and_force_switches import EventEntries
 from sandbox.physics.events.joint_impacts import Jolt
-from sandbox.physics.events.switching_events import EventEntries
 from sandbox.physics.joints.joint_forces import JointForces
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World

@@ -9,7 +9,7 @@ from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from validation.case import Outcome
 from validation.cost.report import ROUNDING
-from validation.report.digest.levels_by_chapter import by_chapter
+from validation.report.digest.grouping_by_chapter import by_chapter
 
 CLOSEST = 5
 """The number of cases closest to their bounds that are shown."""

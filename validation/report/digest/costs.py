@@ -9,7 +9,7 @@ from validation.cost.accuracy_requests import EXPENSIVE, Request
 from validation.cost.report import ROUNDING, Headline, headline, order
 from validation.cost.sweep import NAIVE, OURS, Sweep
 from validation.effects.costs import LevelCost
-from validation.report.digest.levels_by_chapter import by_chapter
+from validation.report.digest.grouping_by_chapter import by_chapter
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,15 +10,15 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.translatable_message import NOTHING, Message
-from sandbox.physics.accuracy import accuracy_study
-from sandbox.physics.accuracy.accuracy_study import (
+from sandbox.physics.accuracy import error_causes_and_costs
+from sandbox.physics.accuracy.error_causes_and_costs import (
     CurrentSetting,
     ErrorBudget,
     Failed,
     Progress,
     WorkPrecisionPoint,
 )
-from sandbox.physics.accuracy.calibration import BUDGET, Setting
+from sandbox.physics.accuracy.requested_accuracy import BUDGET, Setting
 from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ class BackgroundStudy(BackgroundTask):
             self.measure(session)
         elif self._asked and not (session.waiting or self._trust_sought or self._trust):
             self._trust_sought = True
-            self._start(accuracy_study.split, session.resolved, session.values)
+            self._start(error_causes_and_costs.split, session.resolved, session.values)
 
     def _search_setting(self, session: Session) -> None:
         """Search for the setting that a session waits for; give up if a search has failed."""
@@ -111,7 +111,7 @@ class BackgroundStudy(BackgroundTask):
     def measure(self, session: Session) -> None:
         """Start computing the missing results."""
         self._measured = True
-        work = accuracy_study.split if self.points else accuracy_study.study
+        work = error_causes_and_costs.split if self.points else error_causes_and_costs.study
         self._start(work, session.resolved, session.values)
 
     def measure_or_cancel(self, session: Session) -> None:
@@ -121,10 +121,12 @@ class BackgroundStudy(BackgroundTask):
         else:
             self.measure(session)
 
-    def seek(self, session: Session, target: float, seconds: float = accuracy_study.SEARCH) -> None:
+    def seek(
+        self, session: Session, target: float, seconds: float = error_causes_and_costs.SEARCH
+    ) -> None:
         """Start searching the cheapest setting that reaches an accuracy, for a limited time [s]."""
         self.target = target
-        self._start(accuracy_study.seek, session.resolved, session.values, target, seconds)
+        self._start(error_causes_and_costs.seek, session.resolved, session.values, target, seconds)
 
     def _start(self, work: Work, *arguments: object) -> None:
         self.failure, self.progress = NOTHING, Progress(0.0, "starting")

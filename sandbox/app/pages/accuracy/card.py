@@ -12,7 +12,7 @@ from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_translation import Say, title
 from sandbox.model.level import Check, Level, Stepping
-from sandbox.physics.accuracy.accuracy_study import CurrentSetting, ErrorBudget, Progress
+from sandbox.physics.accuracy.error_causes_and_costs import CurrentSetting, ErrorBudget, Progress
 from sandbox.physics.accuracy.trusted_digits import Trust
 
 PARTS = (later("model"), later("numerical"), later("remaining"))

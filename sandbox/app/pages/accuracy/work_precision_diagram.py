@@ -12,7 +12,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
-from sandbox.physics.accuracy.accuracy_study import CurrentSetting, WorkPrecisionPoint
+from sandbox.physics.accuracy.error_causes_and_costs import CurrentSetting, WorkPrecisionPoint
 
 LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, margins of the field
 LEAST = 1e-16

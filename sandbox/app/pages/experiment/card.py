@@ -8,7 +8,7 @@ import pygame
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.pages.experiment.curve_sampling import Point
+from sandbox.app.pages.experiment.background_parameter_sweep import Point
 from sandbox.app.pages.experiment.parameter_curve import CurveChoice, CurveWorker
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot

@@ -6,8 +6,8 @@ import pygame
 from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
 
 from sandbox.app.cards.card import heading
+from sandbox.app.pages.experiment.background_parameter_sweep import Point
 from sandbox.app.pages.experiment.card import curve, named, nearest, shown_as, span_of
-from sandbox.app.pages.experiment.curve_sampling import Point
 from sandbox.app.pages.experiment.parameter_curve import CurveWorker, measures
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet, below

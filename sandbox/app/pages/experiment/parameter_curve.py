@@ -3,7 +3,12 @@
 from typing import NamedTuple
 
 from sandbox.app.background import BackgroundTask
-from sandbox.app.pages.experiment.curve_sampling import COUNT, Point, SamplingRefusal, sample
+from sandbox.app.pages.experiment.background_parameter_sweep import (
+    COUNT,
+    Point,
+    SamplingRefusal,
+    sample,
+)
 from sandbox.app.pages.graph.chosen_quantities import offered
 from sandbox.app.runs.session import Session
 from sandbox.experiments import suggested_measures

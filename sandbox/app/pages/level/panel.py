@@ -19,7 +19,7 @@ from sandbox.app.words.language import later, say
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
 
-    from sandbox.physics.accuracy.accuracy_study import ErrorBudget
+    from sandbox.physics.accuracy.error_causes_and_costs import ErrorBudget
 
 SWITCH = 26  # px
 TIP = later(

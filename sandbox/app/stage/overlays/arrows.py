@@ -3,8 +3,8 @@
 import pygame
 
 from sandbox.app.stage import motion_annotations
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 
 AT_REST = 1e-6
 """Bodies that move by less than this fraction of the visible width in the level's duration count as

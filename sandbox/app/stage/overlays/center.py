@@ -4,8 +4,8 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import momentum_scale
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 
 RADIUS, ARM = 5, 9  # px, of the ring and of the cross in it
 

@@ -19,9 +19,9 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.forces_on_selection import not_negligible
 from sandbox.app.stage import overlay_legend
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.motion_annotations import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 from sandbox.app.words.formatting import nice
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Array

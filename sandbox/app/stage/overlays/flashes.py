@@ -7,8 +7,8 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 
 LARGEST, SMALLEST = 30, 6  # px, bounds of the radius for the hardest, about that of the body
 LEAST = 0.35

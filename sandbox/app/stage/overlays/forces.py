@@ -7,9 +7,9 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.observing import forces_on_selection
 from sandbox.app.stage import motion_annotations
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.given_force_arrows import LONGEST, beside
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 from sandbox.model.effects.force import Force
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FRICTION, FreeBody

@@ -10,9 +10,9 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.forces_on_selection import newtons
 from sandbox.app.stage import overlay_legend
-from sandbox.app.stage.joint_paths import path_of
+from sandbox.app.stage.drawing_context import NAMED, View
+from sandbox.app.stage.joint_polylines import path_of
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import NAMED, View
 from sandbox.app.words.language import say
 from sandbox.model.joints import Pulley, Rod, Rope, Spring, Winding
 from sandbox.model.shapes import XY

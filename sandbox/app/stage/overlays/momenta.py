@@ -4,9 +4,9 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import momentum_scale
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.motion_annotations import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 from sandbox.app.words.formatting import nice
 
 WIDTH = 6.0  # px, wide enough to be seen below the arrow of the velocity

@@ -3,8 +3,8 @@
 import pygame
 
 from sandbox.app.stage import motion_annotations
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import pygame
 
-from sandbox.app.stage.view import View
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.window_keys import Binding
 from sandbox.model.level import Level
 

@@ -9,11 +9,11 @@ from sandbox.app.stage.overlays import (
     flashes,
     forces,
     ghosts,
+    instantaneous_center_of_rotation,
     loads,
     momenta,
     names,
     trail,
-    turning,
 )
 from sandbox.app.stage.overlays.overlay import Overlay
 
@@ -27,7 +27,7 @@ OVERLAYS: tuple[Overlay, ...] = (
     components.OVERLAY,
     arrows.OVERLAY,
     contacts.OVERLAY,
-    turning.OVERLAY,
+    instantaneous_center_of_rotation.OVERLAY,
     forces.OVERLAY,
     center.OVERLAY,
     names.OVERLAY,

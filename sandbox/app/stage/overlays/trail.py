@@ -4,8 +4,8 @@ from itertools import pairwise
 
 import pygame
 
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 
 PIECES, PIECE = 120, 8
 """The number of straight pieces of paths that labels avoid, and of steps in a piece."""

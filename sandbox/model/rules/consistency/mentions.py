@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
+from sandbox.model.annotated_field_search import marked
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.effects.friction import Friction
@@ -10,7 +11,6 @@ from sandbox.model.effects.restitution import Restitution
 from sandbox.model.json_positions import Path
 from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level import Level
-from sandbox.model.marked_fields import marked
 from sandbox.model.reference_fields import Mention
 
 

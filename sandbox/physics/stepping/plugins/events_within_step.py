@@ -1,10 +1,10 @@
 """The plugin of acting events: each takes effect at its own time within a drift.
 
-See `events/switching_events.py`. At the event the bodies are held in place and kicked for half of
-the remaining drift, with the forces that act from there on, so that exact joints hold at its end.
-pymunk is then given the positions and velocities of a straight drift with the same end. Euler's
-schemes have no velocities at the steps, and errors of a step in time anyway: there, events act at
-the step that finds them.
+See `events/joint_cuts_and_force_switches.py`. At the event the bodies are held in place and kicked
+for half of the remaining drift, with the forces that act from there on, so that exact joints hold
+at its end. pymunk is then given the positions and velocities of a straight drift with the same end.
+Euler's schemes have no velocities at the steps, and errors of a step in time anyway: there, events
+act at the step that finds them.
 
 In a drift with landings, an event waits for the start of the next one, where landings are located
 as at the start of a run: from an event within a drift they could not be located again.
@@ -28,8 +28,13 @@ from sandbox.physics.energy.taut_rope_jerks import reached_by_jerk
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.events.breaking_at_impact import broken_jolt
 from sandbox.physics.events.elastic_stops import Bounces
+from sandbox.physics.events.joint_cuts_and_force_switches import (
+    Part,
+    entries_at_step,
+    entries_of,
+    stored_energy,
+)
 from sandbox.physics.events.joint_impacts import Jolt, jolt
-from sandbox.physics.events.switching_events import Part, entries_at_step, entries_of, stored_energy
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.joints.joint_forces import JointForces, pulls_of

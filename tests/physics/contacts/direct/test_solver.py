@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct import solver
 from sandbox.physics.contacts.direct.complementarity import (
     mixed_complementarity,
 )
-from sandbox.physics.contacts.direct.solving import constraint_impulses
+from sandbox.physics.contacts.direct.solving import end_of_drift_impulses
 from sandbox.physics.contacts.direct.solving.newton_method import newton
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
@@ -547,7 +547,7 @@ def test_a_pile_with_a_heavy_top_begins_at_rest_at_its_rounding(
 def test_what_is_driven_is_solved_once(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """A cam, and a winch, give energy by right: nobody looks for another answer that gives none."""
     world, solve = build(textbook(name)), Mock(side_effect=newton)
-    monkeypatch.setattr(constraint_impulses, "newton", solve)
+    monkeypatch.setattr(end_of_drift_impulses, "newton", solve)
     for _ in range(100):
         world.step()
 

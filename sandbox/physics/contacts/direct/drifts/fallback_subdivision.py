@@ -16,7 +16,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kicks.kick_records import KickResult, Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
+from sandbox.physics.contacts.direct.solving.end_of_drift_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.joint_system import KeptLengths

@@ -11,7 +11,7 @@ from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift, others_of
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_records import Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
+from sandbox.physics.contacts.direct.solving.end_of_drift_impulses import hold
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.joints.exact.constraint_interface import coordinate_indices
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces

@@ -8,7 +8,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_records import KickResult, Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
+from sandbox.physics.contacts.direct.solving.end_of_drift_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.joints.exact.constraint_interface import coordinate_indices
 

@@ -13,7 +13,7 @@ from sandbox.model.loading import choose
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
 from sandbox.physics.contacts.direct.drifts import subdrift_solver
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.solving.constraint_impulses import ConstraintImpulses, hold
+from sandbox.physics.contacts.direct.solving.end_of_drift_impulses import ConstraintImpulses, hold
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.guarding.energy_audit import PassiveAudit

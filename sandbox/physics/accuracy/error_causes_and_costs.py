@@ -18,7 +18,6 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.quantities import momentary_quantities
 from sandbox.model.translatable_message import NOTHING, Message
-from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import (
     Watched,
     check_item,
@@ -27,7 +26,8 @@ from sandbox.physics.accuracy.compared_runs import (
     scaled,
     watched,
 )
-from sandbox.physics.accuracy.refinement_search import Refiner, refine
+from sandbox.physics.accuracy.refinement_scheduling import Refiner, refine
+from sandbox.physics.accuracy.requested_accuracy import Setting, calibrate
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.accuracy.setting_search import own_run
 from sandbox.physics.accuracy.step_refinement import (

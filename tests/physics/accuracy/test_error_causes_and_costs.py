@@ -6,8 +6,9 @@ import pytest
 from sandbox.model.level import Level, Stepping
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load, parse
-from sandbox.physics.accuracy import accuracy_study
-from sandbox.physics.accuracy.accuracy_study import (
+from sandbox.physics.accuracy import error_causes_and_costs
+from sandbox.physics.accuracy.compared_runs import motion, record, scaled
+from sandbox.physics.accuracy.error_causes_and_costs import (
     CurrentSetting,
     ErrorBudget,
     Failed,
@@ -15,8 +16,7 @@ from sandbox.physics.accuracy.accuracy_study import (
     Progress,
     WorkPrecisionPoint,
 )
-from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.accuracy.compared_runs import motion, record, scaled
+from sandbox.physics.accuracy.requested_accuracy import Setting
 from sandbox.physics.accuracy.step_refinement import largest_relative_difference
 from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import grade
@@ -41,7 +41,7 @@ def ellipse() -> Level:
 @pytest.fixture(scope="module")
 def of_the_ellipse(ellipse: Level) -> list[Finding]:
     """The results for an ellipse, which take two seconds."""
-    return list(accuracy_study.split(ellipse, ellipse.defaults))
+    return list(error_causes_and_costs.split(ellipse, ellipse.defaults))
 
 
 @pytest.mark.sweep
@@ -70,7 +70,7 @@ def test_it_is_told_until_when_a_motion_is_foretold() -> None:
     level = load(find("lagrange/double-pendulum"))
     slow = level.model_copy(update={"stepping": Stepping(rate=30)})
 
-    found = trust(list(accuracy_study.split(slow, slow.defaults)))
+    found = trust(list(error_causes_and_costs.split(slow, slow.defaults)))
     place = found["lower.position.x"]
 
     assert place.until is not None
@@ -87,7 +87,7 @@ def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
     run = record(level, level.defaults, level.stepping, list(motion(level)))
     true, _ = largest_relative_difference(run, fine, scaled(list(motion(level)), fine))
 
-    found = list(accuracy_study.split(level, level.defaults))
+    found = list(error_causes_and_costs.split(level, level.defaults))
 
     assert max(split.numerical for split in splits(found).values()) < 1e-9
     (here,) = (each for each in found if isinstance(each, CurrentSetting))
@@ -97,7 +97,7 @@ def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
 def test_an_exact_run_owes_nothing_to_its_step() -> None:
     level = scenes.level()
 
-    found = list(accuracy_study.split(level, level.defaults))
+    found = list(error_causes_and_costs.split(level, level.defaults))
 
     assert len(splits(found)) == 2
     assert all(split.numerical < 1e-13 for split in splits(found).values())
@@ -124,7 +124,7 @@ def test_the_error_of_a_step_is_told_as_numerical(
 def test_an_approximation_is_told_as_the_models() -> None:
     level = small_swings()
 
-    split = splits(list(accuracy_study.split(level, level.defaults)))[0]
+    split = splits(list(error_causes_and_costs.split(level, level.defaults)))[0]
 
     assert split.model is not None
     assert split.model > 5 * split.numerical
@@ -141,7 +141,7 @@ def test_a_formula_out_of_its_range_has_no_error() -> None:
         ]
     )  # fmt: skip
 
-    split = splits(list(accuracy_study.split(level, level.defaults)))[0]
+    split = splits(list(error_causes_and_costs.split(level, level.defaults)))[0]
 
     assert split.total is split.model is split.remaining is None
     assert split.numerical < 1e-13
@@ -150,10 +150,10 @@ def test_a_formula_out_of_its_range_has_no_error() -> None:
 def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(accuracy_study, "REFINING", 0.1)
+    monkeypatch.setattr(error_causes_and_costs, "REFINING", 0.1)
     level = scenes.level(effects={"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}})
 
-    found = list(accuracy_study.study(level, level.defaults))
+    found = list(error_causes_and_costs.study(level, level.defaults))
 
     points = [
         each
@@ -175,7 +175,7 @@ def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
 def test_a_setting_is_looked_for() -> None:
     level = load(find("energy/circular-orbit"))
 
-    *told, setting = accuracy_study.seek(level, level.defaults, 1e-4, 0.4)
+    *told, setting = error_causes_and_costs.seek(level, level.defaults, 1e-4, 0.4)
 
     assert isinstance(setting, Setting)
     assert setting.chosen.error <= 1e-4
@@ -187,7 +187,7 @@ def test_a_setting_is_looked_for() -> None:
 def test_why_there_is_nothing_to_find_is_told() -> None:
     level = parse(scenes.runaway())
 
-    found = list(accuracy_study.split(level, level.defaults))
+    found = list(error_causes_and_costs.split(level, level.defaults))
 
     assert isinstance(found[-1], Failed)
     assert "string" in found[-1].reason

@@ -5,9 +5,8 @@ import pygame
 import pytest
 from numpy.typing import NDArray
 
-from sandbox.app.drawing import theme
+from sandbox.app.drawing import energy_graph, theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing import energy_graph
 from sandbox.app.observing.energy_books import INSTANTS
 from sandbox.app.panels.verdicts_and_energies import HIGH, check_summary
 from sandbox.app.runs.session import Session

@@ -21,13 +21,12 @@ from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
 from sandbox.physics.accuracy import (
-    calibration,
-    early_refusal,
     offered_settings,
-    refinement_search,
+    refinement_scheduling,
+    requested_accuracy,
     setting_search,
+    unreachable_accuracy,
 )
-from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.accuracy.chaos_detection import chaotic
 from sandbox.physics.accuracy.compared_runs import (
     Stop,
@@ -40,6 +39,7 @@ from sandbox.physics.accuracy.compared_runs import (
     watched,
 )
 from sandbox.physics.accuracy.exceptions import AccuracyError, Cancelled
+from sandbox.physics.accuracy.requested_accuracy import calibrate
 from sandbox.physics.accuracy.step_refinement import Refinement
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
@@ -95,7 +95,7 @@ def test_whatever_a_clock_says_the_search_comes_to_an_end(
     monkeypatch: pytest.MonkeyPatch, clock: Callable[[], float]
 ) -> None:
     """No rate exceeds the highest, and each scheme gets there in a few doublings."""
-    monkeypatch.setattr(refinement_search, "thread_time", clock)
+    monkeypatch.setattr(refinement_scheduling, "thread_time", clock)
     monkeypatch.setattr(step_timing, "perf_counter", clock)
     begun = time.monotonic()
 
@@ -482,7 +482,7 @@ def test_a_refusal_names_what_was_measured() -> None:
 def sluggish(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run on a machine on which a few looks at a run take as long as a search should."""
     ticks = count()
-    for module in (setting_search, refinement_search, early_refusal):
+    for module in (setting_search, refinement_scheduling, unreachable_accuracy):
         monkeypatch.setattr(module, "thread_time", lambda: 0.4 * next(ticks))
 
 
@@ -503,7 +503,7 @@ def test_what_smaller_steps_bring_closer_is_not_refused_early() -> None:
 def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for module in (calibration, offered_settings):  # as if the rest went elsewhere
+    for module in (requested_accuracy, offered_settings):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     monkeypatch.setattr(
         offered_settings, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)
@@ -607,7 +607,7 @@ def test_no_run_of_a_search_is_taken_twice(monkeypatch: pytest.MonkeyPatch) -> N
         taken.append(stepping.model_copy(update={"iterations": 1}))
         return record(level, values, stepping, wanted, stop, inspect=inspect)
 
-    for module in (setting_search, refinement_search):
+    for module in (setting_search, refinement_scheduling):
         monkeypatch.setattr(module, "record", noted)
     with suppress(AccuracyError):
         calibrate(catalog_level("newton/table-and-pulley"), target=1e-13, budget=0.2)

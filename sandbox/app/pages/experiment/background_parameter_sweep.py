@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from sandbox.experiments.experiment_file import parsed
-from sandbox.experiments.make_plan import make
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.plan_validation import make
 from sandbox.experiments.row_runs import measured
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values

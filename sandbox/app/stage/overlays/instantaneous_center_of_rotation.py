@@ -12,9 +12,9 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.body_outlines import Outline
+from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.overlays.arrows import time_ahead
 from sandbox.app.stage.overlays.overlay import Overlay
-from sandbox.app.stage.view import View
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 
@@ -103,7 +103,7 @@ def _sample(surface: pygame.Surface, start: XY, end: XY) -> None:
 
 
 OVERLAY = Overlay(
-    name="turning",
+    name="instantaneous_center_of_rotation",
     key="7",
     text="velocities all over each body, and the point about which it turns",
     draw=_draw,

@@ -1,4 +1,4 @@
-"""Calibration: the cheapest setting that reaches an accuracy, or the reason why there is none."""
+"""The cheapest setting that reaches a requested accuracy, or the reason why there is none."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from sandbox.physics.accuracy.chaos_detection import chaotic, prediction_horizon
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, watched
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.offered_settings import REAL_TIME, Offer, SearchResult
-from sandbox.physics.accuracy.refinement_search import Progress
+from sandbox.physics.accuracy.refinement_scheduling import Progress
 from sandbox.physics.accuracy.setting_search import Seeker
 from sandbox.physics.measuring.grading import applies
 

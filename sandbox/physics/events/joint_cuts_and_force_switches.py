@@ -15,7 +15,7 @@ import numpy as np
 from sandbox.model.events import Crossing
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
-from sandbox.physics.events.slip_work import Phase, friction_work_beyond
+from sandbox.physics.events.slip_phases import Phase, friction_work_beyond
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import damps
 from sandbox.physics.state.motion import Instant, momentum

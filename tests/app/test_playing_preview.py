@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from sandbox.app.home.home import Home
-from sandbox.app.home.preview import AFTER, LASTING, Preview, is_expensive
+from sandbox.app.home.playing_preview import AFTER, LASTING, Preview, is_expensive
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app import scenes

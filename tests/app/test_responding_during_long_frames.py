@@ -7,7 +7,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import long_frames
+from sandbox.app import responding_during_long_frames
 from sandbox.app.drawing import theme
 from sandbox.model.many_body_level_generator import crowd
 from tests.app import scenes
@@ -19,8 +19,8 @@ Act = Callable[[], object]
 @pytest.fixture
 def heap(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Person:
     """A person in front of a heap whose contacts take longer to solve than anybody waits."""
-    monkeypatch.setattr(long_frames, "LONG", 0.0)
-    monkeypatch.setattr(long_frames, "AGAIN", 0.0)
+    monkeypatch.setattr(responding_during_long_frames, "LONG", 0.0)
+    monkeypatch.setattr(responding_during_long_frames, "AGAIN", 0.0)
     level = crowd("pile", 5)
     effects = {**level["effects"], "contact": {"solver": "direct"}}
     person.open(tmp_path, json.dumps({**level, "effects": effects}))
@@ -131,8 +131,8 @@ def test_the_way_of_the_mouse_is_added_up(heap: Person, monkeypatch: pytest.Monk
 def test_a_level_whose_building_is_stopped_is_refused_with_that_sentence(
     person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(long_frames, "LONG", 0.0)
-    monkeypatch.setattr(long_frames, "AGAIN", 0.0)
+    monkeypatch.setattr(responding_during_long_frames, "LONG", 0.0)
+    monkeypatch.setattr(responding_during_long_frames, "AGAIN", 0.0)
     boxes = {
         f"box{i}": {
             "shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "position": [0, i + 0.5],
