@@ -9,6 +9,7 @@ from sandbox.physics.contacts.direct.complementarity.complementarity_problem imp
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.newton_method import solve_rows
+from sandbox.physics.contacts.direct.solving.redundant_contacts import without_held
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.impacts.pile_impacts import Pile
 from sandbox.physics.engine.space_arrays import Booleans, Integers
@@ -239,7 +240,8 @@ def impulses(
     rate[layout.slips] += kick.belt_slip
     slack = np.zeros(len(rate), dtype=bool)
     slack[joints] = kick.slack
-    asked = layout.problem
+    decided = without_held(kick)  # a contact at a pin would contradict it by rounding
+    asked = (decided[0] if decided else layout).problem
     problem = asked._replace(free=asked.free & ~excluded, pushes=asked.pushes & ~excluded & ~slack)
     on = problem.free | (problem.pushes & (rate < 0 if active is None else active.on))
     slip = np.zeros(len(asked.friction.row), dtype=np.intp)
