@@ -3,12 +3,14 @@
 The keys of the commands are in `keymap`.
 """
 
+import os
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
 import pygame
 
+from sandbox.app.files import save_folder
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
@@ -251,7 +253,7 @@ class CommandActions:
         self._space.go_home(first)
 
     def _ask_for_file(self) -> None:
-        """Ask for a level's file, starting in the folder of the last one."""
+        """Ask for a level's file, in the folder of the last one, or else of what is saved."""
         size = self._space.surface.size
         if any(have < least for have, least in zip(size, SMALLEST, strict=True)):
             least = " × ".join(map(str, SMALLEST))
@@ -259,8 +261,9 @@ class CommandActions:
                 say("Make the window larger for that: {least} px are enough.", least=least)
             )
             return
-        recent = self._space.files.recent.paths
-        self._space.panels.ask_for_file(recent[0].parent if recent else Path.home())
+        last = [path.parent for path in self._space.files.recent.paths[:1]]
+        places = (*last, save_folder.folder(), Path.home())
+        self._space.panels.ask_for_file(next(filter(os.path.isdir, places), places[-1]))
 
     def _show_help(self) -> None:
         """Show the next sheet of the help; close it after the last."""

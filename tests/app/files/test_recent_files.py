@@ -3,10 +3,11 @@
 import locale
 from pathlib import Path
 
+import numpy as np
 import pygame
 import pytest
 
-from sandbox.app.files import recent_files
+from sandbox.app.files import recent_files, save_folder
 from sandbox.app.files.recent_files import Recent
 from sandbox.app.window import Window
 from sandbox.model import level_catalog
@@ -114,6 +115,39 @@ def test_a_file_is_chosen_in_a_dialog(person: Person, own: Path) -> None:
 
     assert person.session.level.title == "A falling ball"
     assert person.window.panels.dialog is None
+
+
+def test_the_dialog_begins_where_files_are_saved(
+    person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing was opened yet; it began in the home folder, where the saved files are not."""
+    monkeypatch.setattr(save_folder, "folder", lambda: tmp_path)
+    (tmp_path / "saved.json").write_text("{}", encoding="utf-8")
+
+    person.press(pygame.K_o, "\x0f", pygame.KMOD_LCTRL)
+
+    assert person.window.panels.dialog is not None
+    items = person.window.panels.dialog.file_selection_list.item_list
+    assert "saved.json" in [each["text"] for each in items]
+
+
+@pytest.mark.parametrize("name", ["dark", "light", "contrast"])
+def test_the_files_of_the_dialog_can_be_read_in_every_theme(
+    person: Person, own: Path, name: str
+) -> None:
+    """They were dark on dark in the light one."""
+    person.window.comfort.choose(theme=name)
+    person.window.apply_preferences()
+
+    dialog(person, own.parent)
+
+    assert person.window.panels.dialog is not None
+    (item,) = person.window.panels.dialog.file_selection_list.item_list
+    button = item["button_element"]
+    assert button is not None
+    shown = pygame.surfarray.array3d(person.window.surface.subsurface(button.rect)).astype(int)
+    corner = shown[-2, 2]
+    assert np.abs(shown - corner).sum(axis=2).max() > 300
 
 
 def test_a_path_is_typed_into_the_dialog(person: Person, own: Path) -> None:

@@ -215,3 +215,16 @@ def test_where_a_film_was_saved_stays_on_the_page(person: Person) -> None:
     person.window.workers.of(FilmWorker).message = "saved projectile.gif"
 
     assert not np.array_equal(before, pygame.surfarray.array3d(shown._drawn()))
+
+
+def test_a_long_path_of_a_film_is_shown_in_full(person: Person) -> None:
+    """The page ended after its first line."""
+    person.resize((900, 600))
+    shown = played(person)
+
+    work = person.window.workers.of(FilmWorker)
+    work.message, work.news = "saved " + "a long name " * 12, object()
+    person.wait()
+
+    contents = shown._sheet.container.scrollable_container.rect
+    assert contents.height >= shown._state.relative_rect.bottom

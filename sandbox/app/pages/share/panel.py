@@ -46,7 +46,7 @@ class SharePage:
         large = say("the run so far, 1280 x 720")
         y = self._row(y, "MP4", large, partial(self._filming.begin, self._session, "mp4"))
         self._state = sheet.image(self._drawn(), y)
-        sheet.set_content_height(below(self._state) + 8)
+        self.update()
 
     def _row(self, y: int, caption: str, text: str, act: Callable[[], str]) -> int:
         """Make a button and a description beside it, and return the height of the next row [px]."""
@@ -75,6 +75,7 @@ class SharePage:
     def update(self) -> None:
         """Show the progress of a film, and its path once it is saved."""
         self._sheet.replace(self._state, self._drawn())
+        self._sheet.set_content_height(below(self._state) + 8)
 
     def _save(self, save: Callable[[Session], Path]) -> str:
         return say("saved {path}", path=save(self._session))
