@@ -45,7 +45,7 @@ def _faults(level: Level) -> Iterator[Fault]:
         return
     if contact and not contact.overlaps:
         smallest = tolerated(scene.space, contact, values)
-        pairs = overlaps(scene.space, scene.bodies, smallest, scene.hollows, scene.gates)
+        pairs = overlaps(scene.bodies, smallest, scene.hollows, scene.gates)
         for pair in sorted(set(pairs), reverse=True):
             yield Fault(pair.reason, frozenset(pair.bodies))
 

@@ -5,6 +5,7 @@ similar size, as the cost of a tree grows with the logarithm of their number: in
 1090 instructions a step among 100 in a tree, 3600 among 10,000 in a tree, and 1170 in a grid.
 """
 
+from collections.abc import Sequence
 from math import inf
 
 import numpy as np
@@ -31,20 +32,34 @@ FARTHEST = 2.0**30
 Beyond the last cell pymunk would loop for ever."""
 
 
-def choose_broad_phase(space: pymunk.Space) -> float:
-    """Let pymunk use a grid if that pays, and return its reach from the origin [m].
+GOLDEN = 0.618033988749895
+"""Multiples of it, less whole numbers, spread evenly over 0 to 1."""
 
-    The reach of a tree is infinite. The shapes must have been added to the space.
+
+def add_shapes(space: pymunk.Space, shapes: Sequence[pymunk.Shape]) -> float:
+    """Add all its shapes to a space, with a grid if that pays; return its reach from the origin.
+
+    The reach of a tree is infinite [m]. The grid is chosen first, as a tree of shapes that are
+    added in the order of their places is as deep as they are many: a row of 10,000 discs took 0.8 s
+    to add. For the same reason a crowd is added to a tree in another order.
     """
-    shapes = space.shapes
-    if len(shapes) < CROWD:
-        return inf
+    if len(shapes) >= CROWD:
+        if cell := _cell(shapes):
+            space.use_spatial_hash(cell, BUCKETS * len(shapes))
+            space.add(*shapes)
+            return FARTHEST * cell
+        scattered = np.argsort(np.arange(len(shapes)) * GOLDEN % 1, kind="stable")
+        shapes = [shapes[index] for index in scattered]
+    space.add(*shapes)
+    return inf
+
+
+def _cell(shapes: Sequence[pymunk.Shape]) -> float | None:
+    """Return the width of the cells of a grid [m], None if it does not pay."""
     boxes = np.array([shape.cache_bb() for shape in shapes])
     size = boxes[:, 2:] - boxes[:, :2]
     cell = CELL * float(np.quantile(size.max(axis=1), SMALL))
     cells = np.prod(np.floor(size / cell) + 2, axis=1).sum()
-    reach = FARTHEST * cell
-    if not (cells <= SPREAD * len(shapes) and np.abs(boxes).max() < reach):
-        return inf
-    space.use_spatial_hash(cell, BUCKETS * len(shapes))
-    return reach
+    if cells <= SPREAD * len(shapes) and np.abs(boxes).max() < FARTHEST * cell:
+        return cell
+    return None

@@ -30,7 +30,7 @@ from sandbox.physics.contacts.shapes.pymunk_shapes import (
     run_belts,
     skip_ids,
 )
-from sandbox.physics.engine.broadphase import choose_broad_phase
+from sandbox.physics.engine.broadphase import add_shapes
 from sandbox.physics.joints.composite_bodies import Touches
 from sandbox.physics.scene.build_context import BuildContext, Pairs
 
@@ -56,11 +56,12 @@ def make_contacts(
     skin = _skin(ours=ours, direct=direct)
     most = most_pairs(stepping.iterations, direct=direct)
     shapes = _make_shapes(space, bodies, level, values, skin, most)
+    every = [shape for made in shapes.values() for shape in made]
+    reach = add_shapes(space, every)  # last of all, as pymunk looks for pairs at once
     follows = ours and not (sequence or direct)
     drift = 1 / stepping.rate if follows else None
     hollows = make_hollow(space, level, values, shapes, skin, drift)
     gates = _make_gates(level, values, bodies, skin)
-    reach = choose_broad_phase(space)
     run_belts(level, values, bodies)
     if sequence or direct:
         bounces = take_bounces(space, level, values) if sequence else None
@@ -85,7 +86,7 @@ def _make_shapes(
     skin: float,
     most: int,
 ) -> dict[str, list[pymunk.Shape]]:
-    """Make the shapes of bodies and add them to the space; refuse too many pairs."""
+    """Make the shapes of bodies; refuse too many pairs."""
     shapes = {
         name: make_surfaces(spec, bodies[name], level, values, skin, kind)
         for kind, (name, spec) in enumerate(level.bodies.items(), start=1)
@@ -97,8 +98,6 @@ def _make_shapes(
     refuse_crowd(shapes, most)
     hollow = {n: s for n, s in shapes.items() if isinstance(level.bodies[n].shape, HollowShape)}
     refuse_crowd(hollow, MOST_HOLLOW)
-    for made in shapes.values():  # last, as pymunk looks for pairs at once
-        space.add(*made)
     return shapes
 
 

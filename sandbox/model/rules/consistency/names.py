@@ -141,17 +141,18 @@ def no_circle(level: Level) -> Iterator[Fault]:
 
 def variables_apart(level: Level) -> Iterator[Fault]:
     """No parameter or constant has the name of a variable in a formula of the scene."""
-    for part in ("effects", "joints"):
-        for path, formula in expressions(getattr(level, part), (part,)):
-            own = () if isinstance(formula, Curve) else formula.variables
-            message = Message(
-                "is a variable in the formula '{path}' over {over}; choose another name",
-                path=".".join(map(str, path)),
-                over=", ".join(formula.variables),
-            )
-            for kind in ("parameters", "constants"):
-                for name in sorted(getattr(level, kind).keys() & set(own)):
-                    yield Fault((kind, name), message)
+    for path, formula in expressions(level):
+        own = () if isinstance(formula, Curve) else formula.variables
+        if not own or path[0] not in ("effects", "joints"):
+            continue
+        for kind in ("parameters", "constants"):
+            for name in sorted(getattr(level, kind).keys() & set(own)):
+                yield Fault(
+                    (kind, name),
+                    "is a variable in the formula '{path}' over {over}; choose another name",
+                    path=".".join(map(str, path)),
+                    over=", ".join(own),
+                )
 
 
 def timeless_conditions(level: Level) -> Iterator[Fault]:

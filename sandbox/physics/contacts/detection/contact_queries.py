@@ -9,6 +9,7 @@ import pymunk
 
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
+from sandbox.physics.engine.shape_pairs import Collision, collision
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.geometry.outline_distance import dot
 
@@ -47,30 +48,33 @@ def touched(
 ) -> Iterator[ShapeContact]:
     """Yield the contacts of a shape, also with other shapes of its own body."""
     for hit in space.shape_query(shape):
-        found = hit.contact_point_set
-        if hit.shape is None or hit.shape.body is None or not found.points:
-            continue
-        if shape.body is not None and not meets(shape.body, hit.shape.body):
-            continue
-        if gates and shape.body is not None and gates.lets_pass(shape.body, hit.shape.body):
-            continue
-        verdict = hollows.judge(shape, hit.shape) if hollows else True
-        if hollows and not isinstance(verdict, bool):
-            normal, *points = hollows.sides(shape, verdict)
-            yield ShapeContact(hit.shape.body, normal, [(points[0], points[1])], verdict.depth)
-        elif verdict:
-            both = [(complex(*p.point_a), complex(*p.point_b)) for p in found.points]
-            normal = complex(*found.normal)
-            depth = _depth(found) if normal else _nudged(shape, hit.shape)
-            yield ShapeContact(hit.shape.body, normal, both, depth, directed=bool(normal))
+        points = [(complex(*p.point_a), complex(*p.point_b)) for p in hit.contact_point_set.points]
+        found = Collision(complex(*hit.contact_point_set.normal), points)
+        if hit.shape and (contact := contact_of(shape, hit.shape, found, hollows, gates)):
+            yield contact
 
 
-def _depth(found: pymunk.ContactPointSet) -> float:
-    """Return the largest overlap of two shapes [m].
-
-    pymunk's own distance has the wrong sign if it takes the other shape first.
-    """
-    return max((p.point_a - p.point_b).dot(found.normal) for p in found.points)
+def contact_of(
+    shape: pymunk.Shape,
+    other: pymunk.Shape,
+    found: Collision,
+    hollows: Hollows | None,
+    gates: "Gates | None",
+) -> ShapeContact | None:
+    """Return the contact of two shapes of which pymunk finds that they collide, if they touch."""
+    if shape.body is None or other.body is None or not meets(shape.body, other.body):
+        return None
+    if gates and gates.lets_pass(shape.body, other.body):
+        return None
+    verdict = hollows.judge(shape, other) if hollows else True
+    if hollows and not isinstance(verdict, bool):
+        normal, *points = hollows.sides(shape, verdict)
+        return ShapeContact(other.body, normal, [(points[0], points[1])], verdict.depth)
+    if not verdict:
+        return None
+    directed = bool(found.normal)
+    depth = found.depth if directed else _nudged(shape, other)
+    return ShapeContact(other.body, found.normal, found.points, depth, directed)
 
 
 def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
@@ -85,9 +89,9 @@ def _nudged(shape: pymunk.Shape, other: pymunk.Shape) -> float:
     for shift in ((NUDGE, 0), (-NUDGE, 0), (0, NUDGE), (0, -NUDGE)):
         body.position = position + shift
         shape.cache_bb()
-        found = shape.shapes_collide(other)
-        if found.normal != (0, 0):
-            depths.append(_depth(found))
+        found = collision(shape, other)
+        if found and found.normal:
+            depths.append(found.depth)
     body.position = position
     shape.cache_bb()
     return min(depths, default=0.0)

@@ -17,10 +17,11 @@ import pymunk
 from sandbox.model.effects.contact import Contact
 from sandbox.model.expressions import Values
 from sandbox.model.translatable_message import Message
-from sandbox.physics.contacts.detection.contact_queries import touched
+from sandbox.physics.contacts.detection.contact_queries import contact_of
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.contacts.shapes.pymunk_shapes import slop_of
+from sandbox.physics.engine.shape_pairs import close_pairs, collision, is_dynamic
 from sandbox.physics.state.simulation_errors import SimulationError
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def refuse_overlaps(
     a `SimulationError`.
     """
     least = tolerated(space, contact, values)
-    found = overlaps(space, bodies, least, hollows, gates)
+    found = overlaps(bodies, least, hollows, gates)
     wrong = (pair for pair in found if not (contact.overlaps and pair.directed))
     worst = max(islice(wrong, ENOUGH), default=None)
     if worst:
@@ -115,22 +116,24 @@ def tolerated(space: pymunk.Space, contact: Contact, values: Values) -> float:
 
 
 def overlaps(
-    space: pymunk.Space,
     bodies: Mapping[str, pymunk.Body],
     least: float,
     hollows: Hollows | None,
     gates: "Gates | None",
 ) -> Iterator[Overlap]:
-    """Yield the overlaps of more than `least` [m]; that of two movable bodies twice.
+    """Yield the overlaps of more than `least` [m], one for each two shapes.
 
     Those that have no direction to part in are yielded however deep they are.
     """
     names = {body: name for name, body in bodies.items()}
     yield from _arcs_in_arcs(names, hollows)
-    for name, body in bodies.items():
-        for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
-            for found in touched(space, shape, hollows, gates):
-                if found.body is not body and (found.depth > least or not found.directed):
-                    other = names[found.body]
-                    pair = min(name, other), max(name, other)
-                    yield Overlap(found.depth, pair, found.directed)
+    shapes = [shape for body in bodies.values() for shape in body.shapes]
+    for shape in filter(is_dynamic, shapes):
+        shape.cache_bb()
+    for pair in close_pairs(shapes):
+        one, other = pair if is_dynamic(pair[0]) else pair[::-1]
+        touch = collision(one, other)
+        found = touch and contact_of(one, other, touch, hollows, gates)
+        if found and one.body and (found.depth > least or not found.directed):
+            first, second = sorted((names[one.body], names[found.body]))
+            yield Overlap(found.depth, (first, second), found.directed)

@@ -5,13 +5,14 @@ ladder does, would have a gap of some 1e-9 m, and fall freely in the first step.
 at sharper corners.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import inf, sqrt
 
 import numpy as np
 import pymunk
 
 from sandbox.physics.contacts.shapes.pymunk_shapes import SKIN
+from sandbox.physics.engine.shape_pairs import close_pairs, collision, is_dynamic
 
 REACH = 1e-7
 """m, the largest gap at a corner that is closed; a corner of 20° has at most 9.5e-8."""
@@ -23,14 +24,26 @@ SHARPEST = 1e-6
 def reach_out(space: pymunk.Space) -> None:
     """Enlarge the radius of polygons by their gaps."""
     polygons = [shape for shape in space.shapes if isinstance(shape, pymunk.Poly)]
-    reach = min(SHARPEST, max(map(_falls_short, polygons), default=0.0))
+    if not polygons:
+        return
+    reach = max(REACH, min(SHARPEST, max(map(_falls_short, polygons))))
     short: dict[pymunk.Poly, float] = {}
-    for body in space.bodies:
-        for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
-            for polygon, gap in _gaps(space, shape, max(REACH, reach)):
-                short[polygon] = max(gap, short.get(polygon, 0.0))
+    for shape, others in _partners(space, reach).items():
+        for polygon, gap in _gaps(shape, others, reach):
+            short[polygon] = max(gap, short.get(polygon, 0.0))
     for polygon, gap in short.items():
         polygon.unsafe_set_radius(polygon.radius + gap + SKIN)
+
+
+def _partners(space: pymunk.Space, reach: float) -> dict[pymunk.Shape, list[pymunk.Shape]]:
+    """Return the shapes that are close to each movable disc or polygon; one is a polygon."""
+    found: dict[pymunk.Shape, list[pymunk.Shape]] = {}
+    for pair in close_pairs(list(space.shapes), 2 * reach, own=True):
+        if any(isinstance(shape, pymunk.Poly) for shape in pair):
+            for shape, other in (pair, pair[::-1]):
+                if is_dynamic(shape) and not isinstance(shape, pymunk.Segment):
+                    found.setdefault(shape, []).append(other)
+    return found
 
 
 def _falls_short(polygon: pymunk.Poly) -> float:
@@ -43,19 +56,17 @@ def _falls_short(polygon: pymunk.Poly) -> float:
 
 
 def _gaps(
-    space: pymunk.Space, shape: pymunk.Shape, reach: float
+    shape: pymunk.Shape, others: Sequence[pymunk.Shape], reach: float
 ) -> Iterator[tuple[pymunk.Poly, float]]:
-    """Yield the polygons to enlarge for a shape, with their gaps up to a reach [m]."""
-    if not isinstance(shape, pymunk.Poly | pymunk.Circle):
-        return
+    """Yield the polygons to enlarge for a disc or polygon, with their gaps up to a reach [m]."""
+    assert isinstance(shape, pymunk.Poly | pymunk.Circle)
     own = shape.radius
     shape.unsafe_set_radius(own + reach)
-    hits = [(hit.shape, hit.contact_point_set) for hit in space.shape_query(shape)]
+    shape.cache_bb()
+    hits = [(other, collision(shape, other)) for other in others]
     shape.unsafe_set_radius(own)
     for other, found in hits:
-        # pymunk's own distance has the wrong sign if it takes the other shape first
-        depths = [(p.point_a - p.point_b).dot(found.normal) for p in found.points]
-        gap = reach - max(depths, default=0.0)
         polygon = shape if isinstance(shape, pymunk.Poly) else other
+        gap = reach - found.depth if found else reach
         if 0 <= gap < reach and isinstance(polygon, pymunk.Poly):
             yield polygon, gap

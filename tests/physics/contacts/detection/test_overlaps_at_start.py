@@ -3,9 +3,12 @@
 import re
 from math import cos, pi, sin, sqrt
 
+import pymunk
 import pytest
 
 from sandbox.physics.advising.preflight_faults import refusal
+from sandbox.physics.contacts.detection import overlaps_at_start
+from sandbox.physics.engine.shape_pairs import Collision, collision
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import Spec, box, disc, fixed, floor, level
@@ -189,3 +192,18 @@ def test_what_hardly_lies_apart_is_parted() -> None:
 
     assert "overlap by 0.6 m" in refused(scene)
     assert refused(scene, overlaps=True) == ""
+
+
+def test_each_pair_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """300 polygons in one place took 2.9 s, as each pair was found from both of its shapes."""
+    asked: list[tuple[object, object]] = []
+
+    def counted(one: pymunk.Shape, other: pymunk.Shape) -> Collision | None:
+        asked.append((one, other))
+        return collision(one, other)
+
+    monkeypatch.setattr(overlaps_at_start, "collision", counted)
+    crowd = {f"b{i}": box((0.01 * i, 0)) for i in range(10)}
+    build(level({**crowd, "far": box((5, 0))}, {"contact": {"overlaps": True}}))
+
+    assert len(set(map(frozenset, asked))) == len(asked) == 10 * 9 // 2
