@@ -173,7 +173,7 @@ def requests(
 
     Exit status 1 if one is missed, or if an error is more than twice its estimate.
     """
-    from validation.requests import measure
+    from validation.random_accuracy_requests import measure
 
     return measure(count, seed, json_file, jobs)
 

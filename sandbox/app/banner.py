@@ -7,7 +7,7 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects import switching_effects
 from sandbox.app.panels import stage_messages
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, language
@@ -89,6 +89,6 @@ class Banner:
         """Return how the changed effects alter the run, computed once per run and language."""
         world, spoken, text = self._ended
         if world is not session.world or spoken != language.used():
-            text = whatif.summary(session, whatif.compared(session))
+            text = switching_effects.summary(session, switching_effects.compared(session))
             self._ended = session.world, language.used(), text
         return text

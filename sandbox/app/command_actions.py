@@ -21,9 +21,9 @@ from sandbox.app.stage import level_labels
 from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.file_dialog import SMALLEST
+from sandbox.app.window_contents import Workspace
 from sandbox.app.window_keys import AT_HOME
 from sandbox.app.words.language import say
-from sandbox.app.workspace import Workspace
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 

@@ -11,9 +11,9 @@ from sandbox.app.pages.build import PAGE as BUILD_PAGE
 from sandbox.app.runs.crash_recovery import LeftRun
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Change
+from sandbox.app.window_contents import Workspace
 from sandbox.app.window_keys import WHILE_TYPING
 from sandbox.app.words.language import say
-from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import without_links
 

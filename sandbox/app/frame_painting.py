@@ -10,7 +10,7 @@ from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import stage_messages
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import run_legend
-from sandbox.app.workspace import Workspace
+from sandbox.app.window_contents import Workspace
 
 
 def paint(space: Workspace) -> None:

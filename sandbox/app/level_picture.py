@@ -11,11 +11,11 @@ from sandbox.app.cards.checks import checks
 from sandbox.app.cards.energy import energy
 from sandbox.app.drawing import energy_graph, theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects import switching_effects
 from sandbox.app.pages.level.card import clock, header, settings
-from sandbox.app.pages.race import scheme_comparison
 from sandbox.app.pages.register import runs_beside
-from sandbox.app.runs.companions import Changes
+from sandbox.app.pages.scheme_race import scheme_comparison
+from sandbox.app.runs.companion_runs import Changes
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import run_legend
 from sandbox.app.stage.stage import Stage
@@ -95,7 +95,9 @@ def render(
 def _session(level: Level, values: Values, beside: ComparisonRun | None, racing: bool) -> Session:
     session = Session(beside.level if beside else level, values)
     if beside:
-        whatif.play_over(session, beside.level, level, Changes(effects=beside.variations))
+        switching_effects.play_over(
+            session, beside.level, level, Changes(effects=beside.variations)
+        )
     if racing:
         scheme_comparison.toggle(session)
     return session

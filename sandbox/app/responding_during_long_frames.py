@@ -14,8 +14,8 @@ import pygame
 
 from sandbox.app.drawing import theme
 from sandbox.app.panels import stage_messages
+from sandbox.app.window_contents import Workspace
 from sandbox.app.words.language import say
-from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
 from sandbox.physics.state.cancellation_points import cancellable
 

@@ -16,8 +16,8 @@ from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.pages.register import preload
 from sandbox.app.responding_during_long_frames import LongFrameWatch
 from sandbox.app.runs.session import Session
+from sandbox.app.window_contents import SIZE, Workspace
 from sandbox.app.words.language import say
-from sandbox.app.workspace import SIZE, Workspace
 
 RATE = 60  # frames per second
 QUIET_RATE = 20  # frames per second while the window is idle

@@ -12,7 +12,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.file_watching import PAUSE, Watch
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
-from sandbox.model.remarks import remarks
+from sandbox.model.remarks_on_valid_levels import remarks
 from sandbox.model.scheme_requirements import bounds_the_rate
 from sandbox.processes import spread
 
@@ -95,7 +95,7 @@ def _start_remarks(level: Level) -> Iterator[Fault]:
     """
     moves = frozenset({"velocity", "angular_velocity"})
     if level.joints and any(moves & body.model_fields_set for body in level.bodies.values()):
-        from sandbox.physics.advising.start_velocities import unfit_start
+        from sandbox.physics.advising.incompatible_start_velocities import unfit_start
 
         if found := unfit_start(level):
             yield found

@@ -17,7 +17,7 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse
 from sandbox.model.quantities import quantity
-from sandbox.model.rules.consistency.mentions import mentions
+from sandbox.model.rules.consistency.references_by_name import mentions
 
 PARTS = {"parameter": "parameters", "joints": "joints", "forces": ""}
 """For each kind of mention, the part of a level that it names; all other kinds name bodies."""

@@ -1,7 +1,7 @@
 """The mark of fields that name another part of the level.
 
-`sandbox.model.rules.consistency.mentions` finds them by their types, so that a new effect or joint
-needs no further declaration.
+`sandbox.model.rules.consistency.references_by_name` finds them by their types, so that a new effect
+or joint needs no further declaration.
 """
 
 from dataclasses import dataclass

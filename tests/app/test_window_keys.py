@@ -48,7 +48,7 @@ def test_every_command_has_a_key_and_says_what_it_does() -> None:
         (pygame.K_8, "]", "faster"),  # as on a German keyboard
         (pygame.K_PLUS, "+", "faster"),
         (pygame.K_F1, "", "help"),
-        (pygame.K_s, "s", "race page"),
+        (pygame.K_s, "s", "scheme_race page"),
         (pygame.K_s, "S", "race"),
         (pygame.K_o, "O", "branch"),
         (pygame.K_m, "M", "momentum page"),  # which leaves the capital letter free

@@ -16,13 +16,13 @@ from validation.compose import property_checks
 from validation.compose.body_distances import Couple, couples, gap
 from validation.compose.command import judge_scene, judged
 from validation.compose.families import FAMILIES
+from validation.compose.independent_shape_properties import centroid, moment, outline
 from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.property_checks import MARGIN, Case, Judge, Judgement, judge
 from validation.compose.recorded_run import RecordedRun, Refused, run, run_at_advised_rate, start
 from validation.compose.scene_builder import Draft
 from validation.compose.scene_symmetries import mirrored, turned
 from validation.compose.seeded_scenes import Scene, scene, seeds
-from validation.compose.shapes import centroid, moment, outline
 from validation.compose.static_equilibrium import Measured, Statics
 from validation.stability.hard_case import make
 from validation.stability.scene_parts import Document

@@ -31,7 +31,7 @@ from validation.cost.report import (
     times,
 )
 from validation.cost.run_error import yardstick
-from validation.cost.sweep import QUICK, Budget, Point, Sweep, digits, errors, timed
+from validation.cost.scheme_and_rate_sweep import QUICK, Budget, Point, Sweep, digits, errors, timed
 
 LEVELS = ["kinematics/free-fall", "lagrange/simple-pendulum"]
 

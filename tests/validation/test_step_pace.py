@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from validation import cli, step_pace
-from validation.requests import Trial, complaints, summary, trial
+from validation.random_accuracy_requests import Trial, complaints, summary, trial
 from validation.step_pace import Pace
 
 

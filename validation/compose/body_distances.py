@@ -15,8 +15,8 @@ import numpy as np
 from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans
+from validation.compose.independent_shape_properties import Part, is_dynamic, outline
 from validation.compose.recorded_run import RecordedRun
-from validation.compose.shapes import Part, is_dynamic, outline
 from validation.stability.scene_parts import Document
 
 NEAR = 0.02

@@ -4,9 +4,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
+from validation.compose.independent_shape_properties import is_dynamic, moment
 from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.recorded_run import RecordedRun
-from validation.compose.shapes import is_dynamic, moment
 from validation.stability.scene_parts import Document
 
 ROUGHEST = 0.067

@@ -16,10 +16,10 @@ from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
 from validation.compose.body_distances import SKIN, couples, excess, overlapped
 from validation.compose.independent_energy import NEXT, Energies, is_passive
+from validation.compose.independent_shape_properties import extent, is_dynamic
 from validation.compose.joint_constraints import JointConstraints, Places
 from validation.compose.recorded_run import RecordedRun, Refused, positions, run, start
 from validation.compose.scene_symmetries import mirrored, turned
-from validation.compose.shapes import extent, is_dynamic
 from validation.compose.static_equilibrium import Measured, Statics
 from validation.stability.hard_case import make
 from validation.stability.scene_parts import Document

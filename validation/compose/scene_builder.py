@@ -8,7 +8,7 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.physics.scene.stability_limits import MARGIN
-from validation.compose.shapes import is_dynamic, thinnest
+from validation.compose.independent_shape_properties import is_dynamic, thinnest
 from validation.stability.scene_parts import Document, G, Place, level, rounded
 
 T = TypeVar("T")

@@ -16,8 +16,8 @@ from scipy.optimize import linprog
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Integers
 from validation.compose.body_distances import body_of, gap, placed, solids
+from validation.compose.independent_shape_properties import extent, is_dynamic, outline
 from validation.compose.joint_constraints import JointConstraints, Places
-from validation.compose.shapes import extent, is_dynamic, outline
 from validation.stability.scene_parts import Document
 
 TOUCHING = 2e-6

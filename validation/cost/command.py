@@ -15,7 +15,7 @@ from sandbox.optional_packages import needed_for
 from sandbox.processes import spread
 from validation import output
 from validation.cost.report import as_json, asked, asked_table, failed, summed, table
-from validation.cost.sweep import QUICK, Budget, Sweep, errors, timed
+from validation.cost.scheme_and_rate_sweep import QUICK, Budget, Sweep, errors, timed
 
 EACH = 6
 """A quick sweep takes one in this many levels of each chapter."""

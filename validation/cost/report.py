@@ -12,7 +12,7 @@ from rich.table import Table
 
 from sandbox.model.level import Scheme
 from validation import output
-from validation.cost.sweep import NAIVE, OURS, Point, Sweep
+from validation.cost.scheme_and_rate_sweep import NAIVE, OURS, Point, Sweep
 
 TARGETS = (1e-2, 1e-3, 1e-4, 1e-6, 1e-9)
 

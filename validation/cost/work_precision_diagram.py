@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from sandbox.model.file_writing import write_atomically
 from sandbox.reporting import plot_style
 from validation.cost.report import LEAST
-from validation.cost.sweep import Point, Sweep
+from validation.cost.scheme_and_rate_sweep import Point, Sweep
 
 LOOKS = {
     "leapfrog": ("#0072b2", "o", "-", "leapfrog (ours)"),

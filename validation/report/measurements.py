@@ -18,7 +18,7 @@ from validation.case_loading import read
 from validation.cases import PHENOMENA, all_cases
 from validation.cost import command as cost
 from validation.cost.accuracy_requests import Request
-from validation.cost.sweep import Sweep
+from validation.cost.scheme_and_rate_sweep import Sweep
 from validation.effects import command as effects
 from validation.effects.cost_growth import Growth
 from validation.effects.costs import EffectCost, LevelCost

@@ -15,7 +15,7 @@ from sandbox.reporting.html_pages import inline
 from validation.cost import report as cost_report
 from validation.cost import work_precision_diagram as cost_figure
 from validation.cost.report import TARGETS, cost_to_reach, next_digit
-from validation.cost.sweep import NAIVE, Sweep
+from validation.cost.scheme_and_rate_sweep import NAIVE, Sweep
 from validation.effects import effect_cost_figure
 from validation.effects.command import rows
 from validation.effects.cost_growth import Growth

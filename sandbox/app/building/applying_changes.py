@@ -3,9 +3,9 @@
 import re
 from time import perf_counter
 
+from sandbox.app.building.current_tool import Toolbox
 from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
-from sandbox.app.building.toolbox import Toolbox
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError

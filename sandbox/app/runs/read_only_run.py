@@ -7,7 +7,7 @@ from sandbox.app.observing.earlier_runs import Earlier, RunObservations, have_sa
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
-from sandbox.app.runs.companions import Companion
+from sandbox.app.runs.companion_runs import Companion
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.play_speed import Pace
 from sandbox.app.runs.step_timer import StepTimer

@@ -14,8 +14,8 @@ from sandbox.app.observing.earlier_runs import RunObservations
 from sandbox.app.observing.impacts import Flash
 from sandbox.app.observing.measured_events import Milestone
 from sandbox.app.observing.running_checks import Reading
+from sandbox.app.runs.abandoned_run_records import Records
 from sandbox.app.runs.grabbed_body import Grip
-from sandbox.app.runs.left_run_records import Records
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.play_speed import faster, slower
 from sandbox.app.runs.read_only_run import RunView

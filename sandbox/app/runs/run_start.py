@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from sandbox.app.runs.companions import Companion, Variant
+from sandbox.app.runs.companion_runs import Companion, Variant
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.run import build

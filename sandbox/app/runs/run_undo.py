@@ -5,7 +5,7 @@ from itertools import takewhile
 from math import inf
 from typing import NamedTuple
 
-from sandbox.app.runs.companions import Changes, Variant
+from sandbox.app.runs.companion_runs import Changes, Variant
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say

@@ -11,7 +11,7 @@ from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.measured_events import Milestone
 from sandbox.app.observing.thinned_series import ThinnedSeries
-from sandbox.app.runs.companions import Companion
+from sandbox.app.runs.companion_runs import Companion
 from sandbox.app.stage import (
     belts_and_flames,
     bodies,

@@ -19,7 +19,7 @@ from sandbox.model.expression_compiler import RESERVED
 from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.rules.consistency.mentions import mentions
+from sandbox.model.rules.consistency.references_by_name import mentions
 from sandbox.model.shapes import XY, Point
 
 Data = dict[str, Any]

@@ -7,7 +7,8 @@ leaves. So a ball that bounces lower and lower comes to rest; the stop absorbs i
 those lower than g dt²/8.
 
 Stops without a restitution, and ropes, are one-sided joints at all times, which the direct solver
-locates (see `joint_catches`). In a scene with elastic stops they are located here, as with e = 0.
+locates (see `taut_ropes_and_reached_stops`). In a scene with elastic stops they are located here,
+as with e = 0.
 """
 
 from collections.abc import Mapping

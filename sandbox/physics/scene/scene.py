@@ -212,7 +212,7 @@ def _make_switches(level: Level, joints: Joints) -> "Switches":
     """Make the switches of forces, if the level has events."""
     if not level.has_events:
         return {}
-    from sandbox.physics.scene.force_switches import make_switches
+    from sandbox.physics.scene.make_force_switches import make_switches
 
     return make_switches(level, joints)
 

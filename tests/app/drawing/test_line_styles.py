@@ -8,7 +8,7 @@ import pytest
 from sandbox.app.drawing import energy_graph, line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.graph.chosen_quantities import Choice
-from sandbox.app.pages.race import scheme_comparison
+from sandbox.app.pages.scheme_race import scheme_comparison
 from sandbox.app.stage import run_legend
 from tests.app.person import Person
 from tests.app.scenes import falling

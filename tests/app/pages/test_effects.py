@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects import switching_effects
 from sandbox.app.pages.effects.panel import EffectsPage
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import run_legend
@@ -34,7 +34,7 @@ def player(person: Person, tmp_path: Path) -> Person:
 
 def test_both_runs_are_in_lockstep_and_each_in_its_own_bits() -> None:
     session = Session(scenes.level())
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
 
     play(session)
 
@@ -49,10 +49,10 @@ def test_both_runs_are_in_lockstep_and_each_in_its_own_bits() -> None:
 def test_an_effect_is_switched_off_and_on_again() -> None:
     session = Session(scenes.level())
 
-    whatif.toggle(session, "gravity")
+    switching_effects.toggle(session, "gravity")
     assert session.level.effects.gravity is None
     assert session.changes.label == "without gravity"
-    whatif.toggle(session, "gravity")
+    switching_effects.toggle(session, "gravity")
 
     assert session.level == session.original
     assert session.companions == ()
@@ -60,7 +60,7 @@ def test_an_effect_is_switched_off_and_on_again() -> None:
 
 def test_the_formulas_do_not_judge_what_they_do_not_describe() -> None:
     session = Session(scenes.level())
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
 
     play(session)
 
@@ -73,11 +73,11 @@ def test_the_formulas_do_not_judge_what_they_do_not_describe() -> None:
 
 def test_the_difference_is_told_in_the_levels_quantities_and_in_time() -> None:
     session = Session(scenes.level())
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
 
     play(session)
-    found = whatif.compared(session)
-    told = whatif.summary(session, found)
+    found = switching_effects.compared(session)
+    told = switching_effects.summary(session, found)
 
     half_way = simulate(session.original).columns["ball.speed"][30]
     assert found[1].first == pytest.approx(half_way)
@@ -90,7 +90,7 @@ def test_the_difference_is_told_in_the_levels_quantities_and_in_time() -> None:
 def test_both_runs_take_turns_in_going_first(monkeypatch: pytest.MonkeyPatch) -> None:
     """The second finds warm caches: in such a short scene, 0.1 ms less per step."""
     session = Session(scenes.level())
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
     (original,) = session.companions
     order: list[World] = []
     advance = World.advance
@@ -112,7 +112,9 @@ def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -
     """The differences at the end of a run often take several lines."""
     surface = pygame.Surface((600, 300))
 
-    run_legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], banner)
+    run_legend.draw(
+        surface, pen, [(None, "with drag"), (theme.GHOST, switching_effects.DECLARED)], banner
+    )
 
     drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(0, 2)))
     assert drawn[0] > banner
@@ -122,7 +124,9 @@ def test_a_legend_for_which_a_banner_leaves_no_room_waits(pen: Pen) -> None:
     """It used to be cut off in the middle of a row."""
     surface = pygame.Surface((600, 300))
 
-    run_legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], 250)
+    run_legend.draw(
+        surface, pen, [(None, "with drag"), (theme.GHOST, switching_effects.DECLARED)], 250
+    )
 
     assert not pygame.surfarray.array3d(surface).any()
 
@@ -146,7 +150,7 @@ def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:
     surface = pygame.Surface((370, 300))
     many = "with drag (linear 0.1), with contact, with restitution (coefficient 1)"
 
-    run_legend.draw(surface, pen, [(None, many), (theme.GHOST, whatif.DECLARED)])
+    run_legend.draw(surface, pen, [(None, many), (theme.GHOST, switching_effects.DECLARED)])
 
     drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(1, 2)))
     assert drawn[-1] < surface.width - 1
@@ -154,7 +158,7 @@ def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:
 
 def test_a_change_of_a_parameter_changes_both_runs() -> None:
     session = Session(scenes.level())
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
 
     session.restart({"g": 2})
 
@@ -168,20 +172,20 @@ FOURTH = {"rate": 60, "scheme": "fourth-order"}
 def test_where_the_scheme_is_not_for_an_effect_both_runs_go_by_leapfrog_until_it_is_gone() -> None:
     session = Session(scenes.level(stepping=FOURTH))
 
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
 
     (original,) = session.companions
     assert session.level.stepping.scheme == original.world.stepping.scheme == "leapfrog"
     assert session.changes.label == "with drag (linear 0.1), both by leapfrog"
     play(session)
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
     assert session.level == session.original
 
 
 def test_where_the_scheme_is_for_an_effect_it_stays() -> None:
     session = Session(scenes.level(stepping=FOURTH))
 
-    whatif.toggle(session, "attraction")
+    switching_effects.toggle(session, "attraction")
 
     assert session.level.stepping.scheme == "fourth-order"
     assert session.changes.replaced_scheme is None
@@ -189,22 +193,22 @@ def test_where_the_scheme_is_for_an_effect_it_stays() -> None:
 
 def test_a_setting_that_is_chosen_for_the_changed_run_is_kept_when_its_effect_is_gone() -> None:
     session = Session(scenes.level(stepping=FOURTH))
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
     chosen = session.world.stepping.at(240)
 
-    whatif.play_with_stepping(session, chosen)
-    whatif.toggle(session, "drag")
+    switching_effects.play_with_stepping(session, chosen)
+    switching_effects.toggle(session, "drag")
 
     assert session.level.stepping == chosen
 
 
 def test_what_cannot_be_leaves_everything_as_it_was() -> None:
     session = Session(scenes.level())
-    whatif.toggle(session, "drag")
+    switching_effects.toggle(session, "drag")
     world = session.world
 
     with pytest.raises(EffectError, match="'friction' needs the effect 'contact'"):
-        whatif.toggle(session, "friction")
+        switching_effects.toggle(session, "friction")
 
     assert session.world is world
     assert session.changes.on == ("drag",)
@@ -213,17 +217,17 @@ def test_what_cannot_be_leaves_everything_as_it_was() -> None:
 def test_an_effect_takes_with_it_what_is_nothing_without_it_and_brings_it_back() -> None:
     session = Session(load(find("momentum/bouncing-ball")))
 
-    whatif.toggle(session, "contact")
+    switching_effects.toggle(session, "contact")
     assert session.changes.label == "without contact (and so without restitution)"
     assert session.level.effects.restitution is None
-    whatif.toggle(session, "contact")
+    switching_effects.toggle(session, "contact")
 
     assert session.level.effects.restitution is not None
 
 
 def test_a_companion_that_has_to_stop_lets_the_other_go_on() -> None:
     session = Session(parse(scenes.runaway()))
-    whatif.toggle(session, "gravity")
+    switching_effects.toggle(session, "gravity")
 
     play(session)
 
@@ -289,11 +293,11 @@ def test_an_effect_that_is_on_can_be_made_stronger_and_weaker(player: Person) ->
 
 def test_a_strength_that_cannot_be_changes_nothing() -> None:
     session = Session(load(find("momentum/inelastic")))
-    whatif.toggle(session, "restitution")
+    switching_effects.toggle(session, "restitution")
 
     with pytest.raises(EffectError, match="coefficient"):
-        whatif.strengthen(session, "restitution", 2)
-    whatif.strengthen(session, "restitution", 0.5)
+        switching_effects.strengthen(session, "restitution", 2)
+    switching_effects.strengthen(session, "restitution", 0.5)
 
     assert session.changes.label == "with restitution (coefficient 0.5)"
 

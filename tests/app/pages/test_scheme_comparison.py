@@ -8,8 +8,8 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.level_picture import render
-from sandbox.app.pages.race import scheme_comparison
-from sandbox.app.pages.race.panel import RacePage
+from sandbox.app.pages.scheme_race import scheme_comparison
+from sandbox.app.pages.scheme_race.panel import RacePage
 from sandbox.app.runs.session import Session
 from sandbox.model.level import Stepping
 from sandbox.model.level_catalog import find

@@ -8,7 +8,7 @@ import pytest
 from sandbox.app.runs import run_limits
 from sandbox.app.runs.session import Session
 from sandbox.app.window import Window
-from sandbox.app.workspace import MANY
+from sandbox.app.window_contents import MANY
 from sandbox.physics.measuring import recording
 from tests.app import scenes
 from tests.app.person import Person
@@ -126,7 +126,7 @@ def test_what_takes_long_to_build_is_said_before_it_is_built(
         shown.append(pygame.image.tobytes(person.window.surface, "RGB"))
         return build(*arguments, **options)  # type: ignore[arg-type]
 
-    monkeypatch.setattr("sandbox.app.workspace.Session", watched)
+    monkeypatch.setattr("sandbox.app.window_contents.Session", watched)
     path = tmp_path / "crowd.json"
     path.write_text(crowd(count), encoding="utf-8")
     person.window.open_level(str(path))

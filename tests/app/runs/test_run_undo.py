@@ -5,8 +5,8 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.pages.effects import whatif
-from sandbox.app.pages.race import scheme_comparison
+from sandbox.app.pages.effects import switching_effects
+from sandbox.app.pages.scheme_race import scheme_comparison
 from tests.app.person import Person
 from tests.app.scenes import falling
 
@@ -77,7 +77,7 @@ def test_speed_effects_and_race_are_taken_back_in_their_order(
     session = person.session
     person.press(pygame.K_PLUS, "+")
     person.wait(1.0)
-    whatif.toggle(session, "gravity")
+    switching_effects.toggle(session, "gravity")
     person.wait(1.0)
     scheme_comparison.toggle(session)
     person.wait(1.0)

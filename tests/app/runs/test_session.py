@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects import switching_effects
 from sandbox.app.runs import session as session_module
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.play_speed import SPEEDS, Pace
@@ -411,7 +411,7 @@ def test_another_pace_takes_a_run_that_was_changed_from_the_start_of_its_level()
         session.step()
     session.alter(as_it_stands(session.world, anew=False))
 
-    whatif.play_with_stepping(session, session.world.stepping)
+    switching_effects.play_with_stepping(session, session.world.stepping)
 
     assert session.world.snapshot.position.tobytes() == begun
     assert session.values == session.original.defaults

@@ -21,8 +21,8 @@ from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.pages.effects.panel import EffectsPage
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.predict.panel import PredictPage
-from sandbox.app.pages.race.panel import RacePage
 from sandbox.app.pages.register import PAGES
+from sandbox.app.pages.scheme_race.panel import RacePage
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.words import language
 from sandbox.model import level_catalog
@@ -270,7 +270,7 @@ def test_what_is_written_of_changed_effects_and_of_a_race_is_said_in_the_languag
     until(person, lambda: not person.session.playing)
     heard(speech, person)
     person.click(effects.reset.rect)
-    turn_to(person, "race")
+    turn_to(person, "scheme_race")
     race = person.page(RacePage)
     person.click(race.button.rect)
     person.press(pygame.K_SPACE, " ")

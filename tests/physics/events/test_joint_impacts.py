@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
+from sandbox.physics.joints.exact.constraint_forces import ConstraintForces
 from sandbox.physics.joints.exact.constraint_interface import Equation
 from sandbox.physics.joints.exact.distance_equations import Row
-from sandbox.physics.joints.exact.force_history import ConstraintForces
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.run_continuation import branch

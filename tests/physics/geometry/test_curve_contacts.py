@@ -12,7 +12,7 @@ from scipy.special import ellipk
 
 from sandbox.model.errors import LevelError
 from sandbox.model.shapes import Curve
-from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowPairs
+from sandbox.physics.contacts.direct.prediction.approaching_hollow_shapes import HollowPairs
 from sandbox.physics.contacts.direct.rows import gap_functions
 from sandbox.physics.contacts.direct.solver import DirectSolver
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows

@@ -7,7 +7,7 @@ from statistics import median
 
 from validation.cost.accuracy_requests import EXPENSIVE, Request
 from validation.cost.report import ROUNDING, Headline, headline, order
-from validation.cost.sweep import NAIVE, OURS, Sweep
+from validation.cost.scheme_and_rate_sweep import NAIVE, OURS, Sweep
 from validation.effects.costs import LevelCost
 from validation.report.digest.grouping_by_chapter import by_chapter
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from sandbox.app.background import BackgroundTask, Work
-from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects import switching_effects
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
@@ -196,7 +196,7 @@ def _play_with(session: Session, setting: Setting) -> str:
         if session.waiting:
             session.settle(setting)
         else:
-            whatif.play_with_stepping(session, setting.for_playing.stepping)
+            switching_effects.play_with_stepping(session, setting.for_playing.stepping)
     except SandboxError as error:
         return say(error.message)
     return formatting.offered_setting(setting)

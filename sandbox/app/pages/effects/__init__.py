@@ -1,6 +1,6 @@
 """The page of the effects, which switches them off and on."""
 
-from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects import switching_effects
 from sandbox.app.pages.page import Page, PageCommand, imported
 
 PAGE = Page(
@@ -12,8 +12,11 @@ PAGE = Page(
     panel=imported("sandbox.app.pages.effects.panel", "EffectsPage"),
     commands=(
         PageCommand(
-            "reset effects", "X", "reset the effects", lambda desk: whatif.reset(desk.session)
+            "reset effects",
+            "X",
+            "reset the effects",
+            lambda desk: switching_effects.reset(desk.session),
         ),
     ),
-    superimposed_runs=whatif.rows,
+    superimposed_runs=switching_effects.rows,
 )

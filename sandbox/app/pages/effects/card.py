@@ -7,7 +7,7 @@ import pygame
 from sandbox.app.cards.card import GAP, Card, titled_note
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects import switching_effects
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
@@ -57,7 +57,7 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
     if not session.changes:
         return unchanged(pen, width)
     words = level_translation.of(session.original)
-    return compared(pen, width, session.changes.label, whatif.compared(session), words)
+    return compared(pen, width, session.changes.label, switching_effects.compared(session), words)
 
 
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:

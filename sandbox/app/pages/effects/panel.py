@@ -9,10 +9,10 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app.cards.card import label
 from sandbox.app.observing.running_checks import TimeShare
-from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects import switching_effects
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
-from sandbox.app.runs.companions import NONE
+from sandbox.app.runs.companion_runs import NONE
 from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
 from sandbox.app.widgets.widget_helpers import set_enabled, show_pressed
 from sandbox.app.words import formatting, level_translation
@@ -43,14 +43,14 @@ class EffectsPage:
         self._scales: dict[UIButton, tuple[str, float]] = {}
         y = below(sheet.image(effects_intro(pen, width), sheet.margin // 2)) + GAP
         y = self._row_of(level.effects.declared, y)
-        if added := whatif.addable(level):
+        if added := switching_effects.addable(level):
             y = below(sheet.image(label(pen, width, say("try with")), y + 2)) + GAP
             y = self._row_of(added, y, adjustable=True)
         caption = say("Reset the effects")
         reset = pygame.Rect(0, y + 4, sheet.widest_button(caption), sheet.px(SWITCH))
         self.reset = sheet.button(reset, caption, say("play the level as it is declared"))
         self._time_share: TimeShare[tuple[Difference, ...]] = TimeShare(
-            lambda: whatif.compared(session), ()
+            lambda: switching_effects.compared(session), ()
         )
         self._world = session.world
         self._told = sheet.image(self._drawn(), y + sheet.px(SWITCH) + 14)
@@ -98,11 +98,11 @@ class EffectsPage:
         if name is None and scale is None and event.ui_element is not self.reset:
             return None
         if name is not None:
-            whatif.toggle(self._session, name)
+            switching_effects.toggle(self._session, name)
         elif scale is not None:
-            whatif.strengthen(self._session, *scale)
+            switching_effects.strengthen(self._session, *scale)
         else:
-            whatif.change(self._session, NONE)
+            switching_effects.change(self._session, NONE)
         return say(LEFT) if self._session.changes.replaced_scheme else ""
 
     def update(self) -> None:
@@ -122,8 +122,8 @@ class EffectsPage:
             return unchanged(pen, width)
         if session.world is not self._world:
             self._world = session.world
-            self._time_share = TimeShare(lambda: whatif.compared(session), ())
+            self._time_share = TimeShare(lambda: switching_effects.compared(session), ())
         found = self._time_share(session.world.steps + 1, hurried=session.playing)
-        cost = whatif.cost(session)
+        cost = switching_effects.cost(session)
         words, disturbed = level_translation.of(session.original), session.world.disturbed
         return compared(pen, width, session.changes.label, found, words, cost, disturbed=disturbed)

@@ -4,7 +4,7 @@ from itertools import chain, islice
 from pathlib import Path
 
 from sandbox.app.background import BackgroundTask
-from sandbox.app.pages.graph.figure import Figure, saved
+from sandbox.app.pages.graph.matplotlib_figure import Figure, saved
 from sandbox.app.pages.graph.zoom import WHOLE, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.words.formatting import name_in_words

@@ -17,7 +17,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.chosen_quantities import Choice, offered, words_for_search
-from sandbox.app.pages.graph.figure import figure
+from sandbox.app.pages.graph.matplotlib_figure import figure
 from sandbox.app.pages.graph.zoom import NOTCH, SHIFT, WHOLE, Zooming
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving

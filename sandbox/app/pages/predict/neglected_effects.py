@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sandbox.app.pages.effects import whatif
-from sandbox.app.runs.companions import Changes
+from sandbox.app.pages.effects import switching_effects
+from sandbox.app.runs.companion_runs import Changes
 from sandbox.app.words import formatting
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
@@ -43,12 +43,12 @@ def trials(level: Level, values: Values, check: Check) -> Iterator[TrialProgress
     are left out.
     """
     alone = level.model_copy(update={"checks": (check,), "ghosts": {}, "challenge": None})
-    names = whatif.addable(level)
+    names = switching_effects.addable(level)
     results: dict[str, float | None] = {}
     for i, name in enumerate(names):
         yield TrialProgress(name, i / len(names))
         try:
-            plain, more, changes = whatif.changed(alone, Changes(on=(name,)))
+            plain, more, changes = switching_effects.changed(alone, Changes(on=(name,)))
             scheme = plain.stepping.scheme
             if scheme not in results:
                 results[scheme] = _measured(plain, values, check)

@@ -18,7 +18,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.rules.conditions.condition import Condition
-from sandbox.model.rules.consistency.mentions import bodies_of_effect
+from sandbox.model.rules.consistency.references_by_name import bodies_of_effect
 from sandbox.model.shapes import Point, evaluate
 from sandbox.model.translatable_message import Message
 

@@ -7,7 +7,7 @@ from sandbox.model.errors import brief
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
-from sandbox.model.rules.consistency.mentions import named_parameters
+from sandbox.model.rules.consistency.references_by_name import named_parameters
 from sandbox.model.translatable_message import Message
 
 

@@ -13,7 +13,7 @@ from sandbox.model.level import ContactEvent, Level, SeparationEvent
 from sandbox.model.level_parts import Fault
 from sandbox.model.number_bounds import MOST_PAIRS
 from sandbox.model.rules.consistency.bodies import is_set
-from sandbox.model.rules.consistency.mentions import (
+from sandbox.model.rules.consistency.references_by_name import (
     bodies_of_flows,
     coefficients,
     mentions,

@@ -9,7 +9,7 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.rules.consistency.bodies import is_set
 from sandbox.model.rules.consistency.contacts import coefficients_fit, undeclared
-from sandbox.model.rules.consistency.mentions import (
+from sandbox.model.rules.consistency.references_by_name import (
     acted_on,
     bodies_of_effect,
     lists_of_bodies,

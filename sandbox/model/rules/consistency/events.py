@@ -10,7 +10,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.quantities import QuantityError, quantity
-from sandbox.model.rules.consistency.mentions import mentions
+from sandbox.model.rules.consistency.references_by_name import mentions
 from sandbox.model.switched_forces import switchable
 from sandbox.model.translatable_message import Message
 

@@ -19,7 +19,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, names_in
-from sandbox.model.rules.consistency.mentions import bodies_of_flows
+from sandbox.model.rules.consistency.references_by_name import bodies_of_flows
 from sandbox.model.shapes import Curve
 from sandbox.model.translatable_message import Message
 

@@ -12,7 +12,11 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
 from sandbox.model.named_constants import circle
 from sandbox.model.quantities import QuantityError, quantity
-from sandbox.model.rules.consistency.mentions import couples, named_bodies, named_quantities
+from sandbox.model.rules.consistency.references_by_name import (
+    couples,
+    named_bodies,
+    named_quantities,
+)
 from sandbox.model.translatable_message import NOTHING, Message
 
 LONGEST_CIRCLE = 10

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from sandbox.model.level import FINEST, Level
 from sandbox.model.level_parts import Fault
-from sandbox.model.rules.consistency.mentions import bodies_of_effect
+from sandbox.model.rules.consistency.references_by_name import bodies_of_effect
 from sandbox.model.scheme_requirements import unsmooth
 from sandbox.model.shapes import Arc, Curve, Hoop
 from sandbox.model.translatable_message import Message

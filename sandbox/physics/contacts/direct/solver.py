@@ -24,12 +24,12 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
-from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
+from sandbox.physics.contacts.direct.drifts.drifts_with_landings import DriftCutter
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
-from sandbox.physics.contacts.direct.drifts.joint_catches import Pulls, caught
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
 from sandbox.physics.contacts.direct.drifts.subdrifts import CutDrift, Subdrift
+from sandbox.physics.contacts.direct.drifts.taut_ropes_and_reached_stops import Pulls, caught
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
 from sandbox.physics.contacts.direct.kicks.breaking_loose import with_breakaway
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder

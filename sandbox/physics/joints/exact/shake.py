@@ -19,6 +19,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.joints.exact.banded_systems import Banded
 from sandbox.physics.joints.exact.constraint_conditioning import solved
+from sandbox.physics.joints.exact.constraint_forces import ConstraintForces
 from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     MAX_ITERATIONS,
@@ -28,7 +29,6 @@ from sandbox.physics.joints.exact.constraint_interface import (
     Rows,
 )
 from sandbox.physics.joints.exact.distance_equations import Row
-from sandbox.physics.joints.exact.force_history import ConstraintForces
 from sandbox.physics.joints.exact.joint_failures import check_independent, failure, overlapping
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.separate_joints import alone

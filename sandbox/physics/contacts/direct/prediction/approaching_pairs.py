@@ -25,9 +25,12 @@ from sandbox.physics.contacts.detection.time_of_impact import (
     touching,
 )
 from sandbox.physics.contacts.direct.complementarity.redundant_systems import max_abs
+from sandbox.physics.contacts.direct.prediction.approaching_hollow_shapes import (
+    HollowCorner,
+    HollowPairs,
+)
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts, Pair, PlacedParts
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
-from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowCorner, HollowPairs
 from sandbox.physics.contacts.direct.prediction.separation_bound import (
     CLEAR,
     Separation,

@@ -8,7 +8,7 @@ do not yet, get a row of their own: the gap may close but no further. Then the k
 exceeds the gap; the impact at the next step removes the rest. Neither adds energy.
 
 That is for corners that come down gently. Those that strike, and bodies that do not touch yet, are
-located within the drift (see `drift_cutter`).
+located within the drift (see `drifts_with_landings`).
 """
 
 from collections.abc import Iterator, Sequence
@@ -24,6 +24,11 @@ from sandbox.physics.contacts.detection.contact_queries import (
     pairs_of,
 )
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
+from sandbox.physics.contacts.direct.prediction.approaching_hollow_shapes import (
+    HollowCorner,
+    HollowPairs,
+    placed,
+)
 from sandbox.physics.contacts.direct.prediction.approaching_pairs import ApproachingPairs
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexParts, Pair, PlacedParts
 from sandbox.physics.contacts.direct.prediction.corner_contacts import (
@@ -31,11 +36,6 @@ from sandbox.physics.contacts.direct.prediction.corner_contacts import (
     CornerOnSide,
     on_side,
     within,
-)
-from sandbox.physics.contacts.direct.prediction.hollow_pairs import (
-    HollowCorner,
-    HollowPairs,
-    placed,
 )
 from sandbox.physics.contacts.direct.prediction.support_ends import SupportEnds
 from sandbox.physics.contacts.direct.rows.contact_properties import SLOP

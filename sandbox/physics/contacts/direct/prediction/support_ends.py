@@ -3,7 +3,7 @@
 A contact between a side and a disc or a corner ends where that reaches the end of the side. From
 there on the end of the side touches instead: a disc turns about it, or flies off, and a corner is
 past it, so that the other body's side touches. The forces jump. So the drift is cut there; see
-`drift_cutter`. Likewise a disc that turns about a corner comes onto the next side.
+`drifts_with_landings`. Likewise a disc that turns about a corner comes onto the next side.
 
 Two sides that lie on each other touch as long as they overlap.
 """

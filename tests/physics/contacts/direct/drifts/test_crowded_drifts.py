@@ -8,8 +8,8 @@ import pytest
 
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
-from sandbox.physics.contacts.direct.drifts import drift_cutter
-from sandbox.physics.contacts.direct.drifts.drift_cutter import DriftCutter
+from sandbox.physics.contacts.direct.drifts import drifts_with_landings
+from sandbox.physics.contacts.direct.drifts.drifts_with_landings import DriftCutter
 from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
 from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.run import build
@@ -279,7 +279,7 @@ def test_discs_stay_in_a_bowl(shape: Spec, place: tuple[float, float]) -> None:
 
 
 def test_without_the_stop_they_overlap_by_centimetres(monkeypatch: pytest.MonkeyPatch) -> None:
-    for module in (solver, drift_cutter):
+    for module in (solver, drifts_with_landings):
         monkeypatch.setattr(module, "stopped", lambda solved, crowd, *_: (solved, crowd))
 
     deepest, _ = poured(funnel(60), 0.6)

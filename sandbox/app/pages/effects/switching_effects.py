@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sandbox.app.drawing.theme import Color
-from sandbox.app.runs.companions import NONE, Changes, Variant
+from sandbox.app.runs.companion_runs import NONE, Changes, Variant
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say

@@ -10,8 +10,8 @@ import pytest
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.contacts.detection.time_of_impact import Path
+from sandbox.physics.contacts.direct.prediction.approaching_hollow_shapes import HollowPairs
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
-from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowPairs
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level
 

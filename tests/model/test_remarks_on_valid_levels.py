@@ -5,7 +5,7 @@ import pytest
 from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.loading import load
-from sandbox.model.remarks import remarks
+from sandbox.model.remarks_on_valid_levels import remarks
 from tests.effects import idle
 from tests.model.levels import bare, level, setting, touching
 

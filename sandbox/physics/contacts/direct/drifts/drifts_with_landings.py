@@ -12,7 +12,8 @@ from there, and not from where the step ends; see `support_ends`. Nothing is str
 contacts act from there on.
 
 It is also cut where friction ends a slip (see `slip_ends`), and sticks from there on if it can. A
-rope that becomes taut, or a stop that is reached, is an impact and cuts it too: `joint_catches`.
+rope that becomes taut, or a stop that is reached, is an impact and cuts it too:
+`taut_ropes_and_reached_stops`.
 
 Bodies that take no part continue as before. A crowd that lands is stopped: `unlocated_landings`.
 """
@@ -25,12 +26,6 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
-from sandbox.physics.contacts.direct.drifts.joint_catches import (
-    catch_time,
-    caught,
-    loose,
-    until_caught,
-)
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.drifts.landing_time_refinement import until_first
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
@@ -41,6 +36,12 @@ from sandbox.physics.contacts.direct.drifts.subdrifts import (
     linked,
     movable,
     rows_acting_on,
+)
+from sandbox.physics.contacts.direct.drifts.taut_ropes_and_reached_stops import (
+    catch_time,
+    caught,
+    loose,
+    until_caught,
 )
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, crowd, stopped
 from sandbox.physics.contacts.direct.kicks import coupled_impacts

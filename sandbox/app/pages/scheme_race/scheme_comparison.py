@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.pages.effects import whatif
-from sandbox.app.runs.companions import Variant, worst
+from sandbox.app.pages.effects import switching_effects
+from sandbox.app.runs.companion_runs import Variant, worst
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.words import formatting
@@ -49,7 +49,7 @@ def toggle(session: Session) -> None:
     A race that starts plays at once. Raises `SandboxError` if one of the schemes cannot run;
     nothing is changed then.
     """
-    original = whatif.declared_with_present_stepping(session)
+    original = switching_effects.declared_with_present_stepping(session)
     ends = racing(session)
     session.play_as(original, [] if ends else rivals(original, session.chosen))
     session.playing = session.playing or not ends
@@ -68,7 +68,7 @@ def _forms(level: Level, values: Values) -> Iterator[Level]:
     for scheme in usable(level):
         if scheme == level.stepping.scheme:
             continue
-        form = whatif.with_scheme(level, scheme)
+        form = switching_effects.with_scheme(level, scheme)
         with suppress(SandboxError):  # its steps may be too large
             build(form, values)
             yield form

@@ -1,4 +1,4 @@
-"""The toolbox: the current tool, and what it changes: the level or its run."""
+"""The current tool of the editor, and what it changes: the level or its run."""
 
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.tools.joining import JoinTool

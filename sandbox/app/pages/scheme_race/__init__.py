@@ -1,15 +1,15 @@
 """The page of the race between schemes."""
 
 from sandbox.app.pages.page import Page, PageCommand, imported
-from sandbox.app.pages.race import scheme_comparison
+from sandbox.app.pages.scheme_race import scheme_comparison
 
 PAGE = Page(
-    name="race",
+    name="scheme_race",
     caption="Race",
     key="s",
     text="race: every scheme at once",
-    card=imported("sandbox.app.pages.race.card", "standing"),
-    panel=imported("sandbox.app.pages.race.panel", "RacePage"),
+    card=imported("sandbox.app.pages.scheme_race.card", "standing"),
+    panel=imported("sandbox.app.pages.scheme_race.panel", "RacePage"),
     commands=(
         PageCommand(
             "race",

@@ -11,7 +11,7 @@ import pytest
 from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.model.rules.consistency.mentions import named_bodies
+from sandbox.model.rules.consistency.references_by_name import named_bodies
 from sandbox.model.schema import grammar
 from sandbox.model.shorthand.expansion import write_out
 from tests.model.levels import Data, bare, hanging, mistakes, mistakes_in

@@ -4,8 +4,8 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.app.pages.page import Desk
-from sandbox.app.pages.race import scheme_comparison
-from sandbox.app.pages.race.card import race_intro, standing
+from sandbox.app.pages.scheme_race import scheme_comparison
+from sandbox.app.pages.scheme_race.card import race_intro, standing
 from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words.language import later, say
 

@@ -8,8 +8,8 @@ from sandbox.app.cards.card import GAP, Card, titled_note
 from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.pages.race import scheme_comparison
-from sandbox.app.pages.race.scheme_comparison import Lane
+from sandbox.app.pages.scheme_race import scheme_comparison
+from sandbox.app.pages.scheme_race.scheme_comparison import Lane
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
