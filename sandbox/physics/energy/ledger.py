@@ -35,7 +35,6 @@ from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.events.impact_response import DriftImpacts
 from sandbox.physics.events.joint_cuts_and_force_switches import EventEntries
 from sandbox.physics.events.slip_phases import SlipEntries
-from sandbox.physics.forces.spring import damps
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.joint_forces import pulls_of
 from sandbox.physics.state.motion import Instant, Motion
@@ -262,6 +261,8 @@ class Ledger:
             for impact in impacts:
                 self._attribution.begin()
                 self._entries.add_loss("impacts", impact.normal_work)
+        for law, work in collided.law_works:
+            self._entries.add_extra_work(law, work)
         momenta = (impact.momentum for impact in impacts)
         self._entries.add_support(sum(momenta, collided.extra_momentum))
         return collided.pre_kick_velocity
@@ -285,9 +286,7 @@ class Ledger:
         self._entries.add_friction(happened.friction_work)
         support_impulse = happened.momentum
         for law, work, impulse in zip(self._laws, happened.works, happened.momenta, strict=True):
-            self._entries.add_law_work(law, work)
-            if damps(law):
-                self._entries.losses["damping"] += work
+            self._entries.add_extra_work(law, work)
             if law.effect.name in self._entries.impulses:
                 self._entries.impulses[law.effect.name] += impulse
             support_impulse = support_impulse - impulse

@@ -8,6 +8,7 @@ from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.forces.law import Law
+from sandbox.physics.forces.spring import damps
 from sandbox.physics.state.motion import momentum
 
 
@@ -49,6 +50,12 @@ class Entries:
             self.works[law.effect.account_name] += work
         elif law.effect.book == "loss":
             self.losses[law.effect.account_name] += work
+
+    def add_extra_work(self, law: Law, work: float) -> None:
+        """Book the work that a law does within a drift, beyond that in kicks."""
+        self.add_law_work(law, work)
+        if damps(law):
+            self.losses["damping"] += work
 
     def add_friction(self, work: float) -> None:
         """Book the work of friction."""

@@ -15,7 +15,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
 from sandbox.physics.contacts.impacts.contact_kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.impacts.pile_impacts import pushes
-from sandbox.physics.engine.space_arrays import Booleans, Integers
+from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
+from sandbox.physics.forces.law import Law
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum
@@ -67,6 +68,26 @@ class DriftImpacts(NamedTuple):
     extra_momentum: Array
     """(3,), the momentum and angular momentum from the forces along the path, beyond those from the
     kicks before and after [kg m/s, kg m²/s]."""
+    law_works: tuple[tuple[Law, float], ...] = ()
+    """The works of forces that depend on velocities, beyond those in the halves of the kicks before
+    and after [J]."""
+
+
+def as_contacts(impacts: Sequence[Impact]) -> Contacts:
+    """Return impacts as contacts."""
+    two = [(i.points[0], i.points[-1]) for i in impacts]
+    across = [i.impulse / i.normal for i in impacts]
+    return Contacts(
+        np.array([i.bodies for i in impacts], dtype=np.intp),
+        np.ones(len(two), dtype=bool),
+        np.array([(i.normal.real, i.normal.imag) for i in impacts]),
+        np.array([a.real for a in across]),
+        np.array([abs(a.imag) for a in across]),
+        np.array([len(i.points) for i in impacts], dtype=np.intp),
+        np.array([[(p.real, p.imag) for p in points] for points in two]),
+        np.array([(i.impulse.real, i.impulse.imag) for i in impacts]),
+        np.zeros((len(two), 2)),
+    )
 
 
 class Bounce(NamedTuple):

@@ -25,7 +25,8 @@ from sandbox.physics.contacts.impacts.endless_impacts_error import EndlessImpact
 from sandbox.physics.contacts.impacts.impact_step_velocity import impacts
 from sandbox.physics.contacts.impacts.pile_impacts import PRESSED
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
-from sandbox.physics.engine.space_arrays import Booleans, Contacts
+from sandbox.physics.engine.space_arrays import Booleans
+from sandbox.physics.events.flight_forces import FlightForces, of_velocity
 from sandbox.physics.events.impact_order import ImpactOrder, Tally
 from sandbox.physics.events.impact_response import (
     Coefficients,
@@ -36,7 +37,7 @@ from sandbox.physics.events.impact_response import (
 from sandbox.physics.geometry.outline_distance import Outline, outlines
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.cancellation_points import cancellation_point
-from sandbox.physics.state.motion import momentum
+from sandbox.physics.state.motion import Reading, momentum
 
 SHUT_IN = Message("{body} is wedged in, since what presses on it does not yield; give it more room")
 
@@ -79,7 +80,8 @@ class ImpactLocator:
             scene.inertia,
             scene.inverse_mass,
         )
-        self._joints = scene.joints
+        self._scene, self._joints, self._laws = scene, scene.joints, of_velocity(scene)
+        self._flights: FlightForces | None = None  # if forces depend on velocities
         self._turns = ImpactOrder(self._collision.restitution, scene.mass > 0, dt)
         self._row = np.array([o.body for o in outlines])
         a, b = np.triu_indices(len(outlines), 1)
@@ -106,20 +108,26 @@ class ImpactLocator:
         if not self.impacts:
             return None
         return DriftImpacts(
-            self.impacts, self.pre_kick_velocity, self._reading_shift, self._extra_momentum
+            self.impacts,
+            self.pre_kick_velocity,
+            self._reading_shift,
+            self._extra_momentum,
+            self._flights.law_works if self._flights else (),
         )
 
     def begin(self, velocity: Array, acceleration: Array) -> None:
         """Start from a motion, given the velocities before its first kick and the accelerations."""
         self.pre_kick_velocity, self._first, self.impacts = velocity, acceleration, []
 
-    def cut(self, law_acceleration: Array, struck: Array | None) -> Cut | None:
+    def cut(
+        self, law_acceleration: Array, law_motion: Reading | None, struck: Array | None
+    ) -> Cut | None:
         """Let bodies collide in the coming drift; return the outcome, None without impacts.
 
         `law_acceleration`, (n, 3), are the accelerations by gravity and force laws in the last
-        kick; `struck`, (n, 3), are the jumps of velocities by sequential impacts in it, None if
-        pymunk solves impacts. Raises `EndlessImpacts` if bodies collide more often than can be
-        followed.
+        kick, in which the laws saw `law_motion`; `struck`, (n, 3), are the jumps of velocities by
+        sequential impacts in it, None if pymunk solves impacts. Raises `EndlessImpacts` if bodies
+        collide more often than can be followed.
         """
         state = self._batch.state()
         pose, drifts = state[:, :3], state[:, 3:].copy()
@@ -135,6 +143,9 @@ class ImpactLocator:
             self._without_impacts(acceleration, law_acceleration, pose, (velocity_before, drifts))
         path = Path(pose, drifts - acceleration * (self._dt / 2), acceleration)
         self._extra_momentum = np.zeros(3)
+        self._flights = None
+        if self._laws and law_motion:
+            self._flights = FlightForces(self._scene, self._laws, law_motion, path)
         self._solve_in_order(path, near, law_acceleration * self._dt)
         return self._hand_over(path, state, acceleration) if self.impacts else None
 
@@ -148,6 +159,9 @@ class ImpactLocator:
     def _hand_over(self, path: Path, state: Array, acceleration: Array) -> Cut:
         """Give pymunk the end of a path, given the state and accelerations at its start."""
         drifts, hit = self.pre_kick_velocity, path.struck
+        if self._flights:
+            self._flights.finish(self._dt)
+            self._extra_momentum += self._flights.momentum
         pose, velocity = path.at(self._dt)
         new_acceleration = path.acceleration
         self.pre_kick_velocity = np.where(
@@ -170,6 +184,8 @@ class ImpactLocator:
         half, struck = self._dt / 2, path.struck[:, None]
         before, after = (np.where(struck, acceleration, 0.0) for acceleration in accelerations)
         less = before * before - after * after
+        if self._flights:  # only the others store energy
+            less = (before - after) * (before - self._flights.first_acceleration)
         self._reading_shift = float(np.sum(self._inertia * less)) * half * half / 2
         self._extra_momentum += self._added_momentum(path, self._dt, path.struck)
         for acceleration, pose in zip((before, after), poses, strict=True):
@@ -288,7 +304,13 @@ class ImpactLocator:
         """
         time, around = group[0].time, self._around(path, group) if tally.count(group) else []
         dead = bool(around) and tally.gentle(around)
-        bounce = self._collision.respond(path, around if dead else group, dead=dead)
+        hits = around if dead else group
+        reached = path.struck & False
+        if self._flights:
+            reached = self._flights.divide(
+                time, hits, lambda: self._collision.respond(path, hits, dead=dead).jump
+            )
+        bounce = self._collision.respond(path, hits, dead=dead)
         self._extra_momentum += self._added_momentum(path, time, bounce.struck)
         path.turn(time, bounce.jump, bounce.struck)
         path.acceleration += bounce.acceleration_change
@@ -297,24 +319,7 @@ class ImpactLocator:
             left = min(self._around(path, group), key=lambda hit: hit.parting)
             if left.parting < PRESSED * group[0].parting:
                 raise EndlessImpacts(max(left.bodies, key=lambda b: self._mass[b]), SHUT_IN)
-        return bounce.struck
-
-
-def as_contacts(impacts: Sequence[Impact]) -> Contacts:
-    """Return impacts as contacts."""
-    two = [(i.points[0], i.points[-1]) for i in impacts]
-    across = [i.impulse / i.normal for i in impacts]
-    return Contacts(
-        np.array([i.bodies for i in impacts], dtype=np.intp),
-        np.ones(len(two), dtype=bool),
-        np.array([(i.normal.real, i.normal.imag) for i in impacts]),
-        np.array([a.real for a in across]),
-        np.array([abs(a.imag) for a in across]),
-        np.array([len(i.points) for i in impacts], dtype=np.intp),
-        np.array([[(p.real, p.imag) for p in points] for points in two]),
-        np.array([(i.impulse.real, i.impulse.imag) for i in impacts]),
-        np.zeros((len(two), 2)),
-    )
+        return bounce.struck | reached
 
 
 def locate(level: Level, values: Values, scene: Scene, dt: float) -> ImpactLocator | None:

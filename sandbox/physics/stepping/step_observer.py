@@ -58,7 +58,7 @@ class Observer:
             state[:, 3:] = direct.drifts.post_kick_velocity
         rates = self._rates(state, pre_kick_velocity, contacts)
         if (impacts := self._plugins.impacts) and (found := impacts()):
-            from sandbox.physics.events.located_impacts import as_contacts
+            from sandbox.physics.events.impact_response import as_contacts
 
             contacts = as_contacts(found).followed_by(contacts)
         snapshot = self.snapshot(state, *rates, contacts, self._kicks.clock.dt)

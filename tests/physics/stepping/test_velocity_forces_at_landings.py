@@ -13,10 +13,10 @@ DRAG = 0.5
 """kg/m, of a ball of 1 kg that falls by a metre and bounces with 0.7 of its speed"""
 
 
-def bounced(rate: float) -> tuple[World, Ledger]:
+def bounced(rate: float, contact: Spec) -> tuple[World, Ledger]:
     effects = {
         **GRAVITY,
-        "contact": {"solver": "direct"},
+        "contact": contact,
         "restitution": {},
         "drag": {"quadratic": DRAG},
     }
@@ -33,10 +33,11 @@ def height(t: float) -> float:
     return 0.1 + terminal**2 / G * log(cos(later) / cos(begins))
 
 
+@pytest.mark.parametrize("contact", [{"solver": "direct"}, {"located": ["ball"]}])
 @pytest.mark.parametrize("rate", [60, 120, 240, 480])
-def test_drag_acts_with_the_velocities_before_and_after_a_bounce(rate: int) -> None:
+def test_drag_acts_with_the_velocities_before_and_after_a_bounce(rate: int, contact: Spec) -> None:
     """It took their mean for that after the bounce: 1e-2 m off at 120 Hz, 1e-3 at 480."""
-    world, books = bounced(rate)
+    world, books = bounced(rate, contact)
     allowed = 5e-4 * (60 / rate) ** 2  # 2e-4, 5e-5, 2e-5, 6e-7
 
     assert world.snapshot.position[1, 1] == pytest.approx(height(0.7), abs=allowed)

@@ -66,10 +66,9 @@ class Cuts:
 
     def _collide(self, impacts: "ImpactLocator") -> None:
         sequence = self._scene.sequence
-        if cut := impacts.cut(
-            self._forces.law_acceleration, sequence.last.jump if sequence else None
-        ):
-            self._forces.shift(cut.jump)
+        forces, jump = self._forces, sequence.last.jump if sequence else None
+        if cut := impacts.cut(forces.law_acceleration, forces.law_motion, jump):
+            forces.shift(cut.jump - cut.acceleration_change * self._dt)
             if sequence:
                 sequence.shift(cut.jump, cut.acceleration_change)
 
