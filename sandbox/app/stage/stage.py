@@ -282,11 +282,8 @@ class Stage:
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
         """Draw the joints in front of bodies, and open ones, or else those behind bodies."""
         world, many = self.view.world, len(self.view.world.level.joints) > bodies.FEW
-        paths = (
-            joint_polylines.between_all_ends(world)
-            if many and not in_front
-            else joint_polylines.NONE
-        )
+        at_once = many and not in_front
+        paths = joint_polylines.between_all_ends(world) if at_once else joint_polylines.NONE
         t, made = float(world.snapshot.t), world.scene.joints
         for row, (name, joint) in enumerate(world.level.joints.items()):
             drawn = isinstance(joint, joints.IN_FRONT) is in_front and not isinstance(joint, Wire)

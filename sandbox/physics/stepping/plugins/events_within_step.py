@@ -100,14 +100,8 @@ class EventPlugin:
         if not self._parts:
             return step
         if self._leapfrog:
-            done = entries_of(
-                self._parts,
-                self._laws,
-                self._scene.inertia,
-                self._surfaces,
-                self._switched,
-                self._dt,
-            )
+            laws, inertia = self._laws, self._scene.inertia
+            done = entries_of(self._parts, laws, inertia, self._surfaces, self._switched, self._dt)
         else:
             done = entries_at_step(self._pre_kick_velocity, self._laws, self._switched)
         return step._replace(events=done._replace(jolts=tuple(self._jolts)))
