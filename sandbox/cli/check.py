@@ -16,9 +16,6 @@ from sandbox.model.remarks_on_valid_levels import remarks
 from sandbox.model.scheme_requirements import bounds_the_rate
 from sandbox.processes import spread
 
-FEW = 30
-"""With up to this many joints, a step is never too expensive."""
-
 
 class Finding(NamedTuple):
     """A message about a level, and whether the level is unusable."""
@@ -102,12 +99,11 @@ def _start_remarks(level: Level) -> Iterator[Fault]:
 
 
 def _check_start(level: Level) -> None:
-    """Refuse a level with too low a rate, with overlapping bodies, or with too expensive a step.
+    """Refuse too low a rate, overlapping bodies, redundant joints, or too expensive a step.
 
     The engine is needed only for levels where one of these is possible.
     """
-    crowded = level.effects.contact or len(level.joints) > FEW
-    if bounds_the_rate(level) or crowded:
+    if bounds_the_rate(level) or level.effects.contact or level.joints:
         from sandbox.physics.advising.preflight_faults import refusal
 
         if error := refusal(level, advised=True):

@@ -31,9 +31,9 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
     """Return why a level cannot run at its rate, with the defaults or at the ends of its ranges.
 
     None if it can; of several reasons, the one that needs the highest rate, or that no rate can
-    mend. The checks are the rates that springs and drags need, and overlaps at the start. Faults
-    that only the first step reveals, such as contradictory joints, are not found. A level that asks
-    for an accuracy may have any rate.
+    mend. The checks are the rates that springs and drags need, overlaps at the start, and joints
+    that are redundant there. Faults that only the first step reveals are not found. A level that
+    asks for an accuracy may have any rate.
 
     If `advised`, and a higher rate should help, that rate is tried.
     """
@@ -67,7 +67,9 @@ def _refused(level: Level, values: Values) -> SimulationError | None:
         stepping = stepping.at(HIGHEST_RATE)
     try:
         with np.errstate(all="ignore"):  # non-finite values are reported by name
-            make_scene(level, values, stepping)
+            scene = make_scene(level, values, stepping)
+            if scene.joints.together:
+                scene.joints.together.check()
     except SimulationError as error:
         return error
     except JointFailure as error:

@@ -13,10 +13,23 @@ from scipy.special import ellipk
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.physics.advising.preflight_faults import refusal
 from sandbox.physics.measuring.event_interpolation import crossing
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
-from tests.physics.scenes import GRAVITY, G, Spec, box, disc, level, measured, run, table, worst
+from tests.physics.scenes import (
+    GRAVITY,
+    G,
+    Spec,
+    box,
+    disc,
+    floor,
+    level,
+    measured,
+    run,
+    table,
+    worst,
+)
 
 
 def rod(*ends: object, **rest: object) -> Spec:
@@ -363,6 +376,28 @@ def test_two_joints_that_say_the_same_are_told_by_name() -> None:
         build(twice())
 
     assert caught.value.subject == "same"
+
+
+def test_two_rails_in_one_direction_are_told_before_the_first_step() -> None:
+    """Where bodies may touch they ran on, until the contact solver found no forces."""
+    rails = {
+        name: {
+            "type": "rail",
+            "ends": [{"body": "lift", "at": [x, 0]}, [x, 0]],
+            "direction": [0, 1],
+        }
+        for name, x in (("left", -0.4), ("right", 0.4))
+    }
+    lift = level(
+        {"ground": floor(), "lift": box((0, 1), size=(1, 0.1))},
+        {**GRAVITY, "contact": {}, "rotation": {}},
+        joints=rails,
+    )
+    error = refusal(lift)
+    assert error
+    assert error.subject == "right"
+    with pytest.raises(SimulationError, match="'right' is redundant"):
+        build(lift)
 
 
 def test_a_joint_of_several_equations_may_hold_less() -> None:

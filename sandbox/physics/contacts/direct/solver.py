@@ -127,6 +127,7 @@ class DirectSolver:
         self.last, self.stages = self._calm, ()
         self.drifts.begin(self._build.contacts)
         self._build.set_course(until)
+        self._joints.check()
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
@@ -192,7 +193,6 @@ class DirectSolver:
             self._solve_all()
 
     def _solve_all(self) -> None:
-        self._joints.check()
         start = self._beginning()
         kick = self._build.corrected(start.velocity * self._dt)
         try:
