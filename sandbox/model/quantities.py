@@ -172,27 +172,34 @@ def quantity(name: str, level: Level) -> Quantity:
         if (inner := prefix.rpartition("."))[0] and inner[2] in OVER_TIME:
             raise _no_aggregate(name, prefix, aggregate)
         return _over_time(quantity(prefix, level), aggregate)
-    owners = _owners(level)
     subject, dot, rest = name.partition(".")
-    if subject not in owners:
+    owner = _owner(subject, level)
+    if owner is None:
+        owners = _owners(level)
         close = closest(subject, owners)
         hint = suggestion(name, [f"{close}{dot}{brief(rest)}"] if close else [TIME.name, *owners])
         raise QuantityError(
             "'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint
         )
-    found = [*_of(owners[subject], subject, level)]
-    if owners[subject] == "system":
-        found += _of_accounts(level)
-    if owners[subject] == "body":
-        found += _of_two(subject, rest, level)
-    known = {quantity.name: quantity for quantity in found}
-    if name not in known:
-        followed = [f"{prefix}.{form}" for form in OVER_TIME if prefix in known]
-        hint = suggestion(name, [*known, *followed], longest=len(known))
-        raise QuantityError(
-            "'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint
-        )
-    return known[name]
+    known = list[str]()
+    for found in _family(owner, subject, rest, level):
+        if found.name == name:
+            return found
+        known.append(found.name)
+    followed = [f"{prefix}.{form}" for form in OVER_TIME if prefix in known]
+    hint = suggestion(name, [*known, *followed], longest=len(known))
+    raise QuantityError(
+        "'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint
+    )
+
+
+def _family(owner: Owner, subject: str, rest: str, level: Level) -> Iterator[Quantity]:
+    """Yield the quantities that a name of this subject may mean."""
+    yield from _of(owner, subject, level)
+    if owner == "system":
+        yield from _of_accounts(level)
+    if owner == "body":
+        yield from _of_two(subject, rest, level)
 
 
 def column_heading(name: str, unit: str) -> str:
@@ -274,6 +281,14 @@ def _of_points(subject: str, level: Level) -> Iterator[Quantity]:
             for component in ("x", "y", None):
                 name = f"{subject}.{point}.{attribute}" + (f".{component}" if component else "")
                 yield Quantity(name, "body", subject, f"point.{attribute}", component, unit, point)
+
+
+def _owner(subject: str, level: Level) -> Owner | None:
+    if subject == "system":
+        return "system"
+    if subject in level.joints:
+        return "joint"
+    return "body" if subject in level.bodies else None
 
 
 def _owners(level: Level) -> dict[str, Owner]:

@@ -12,8 +12,9 @@ from sandbox.model.scheme_requirements import bounds_the_rate
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.simulation_errors import BreakdownError, JointFailure, SimulationError
 
-MOST_PARTS = 20_000
-"""The most bodies and joints that are built to check the rate: about 2 s."""
+MOST_PARTS = 10_000
+"""The most bodies and joints that are built to check the rate, and to find what causes a refusal:
+about half a second each."""
 
 SECONDS = 0.5
 """s of processor time for trying a rate: whoever checks a level does not wait for its run."""
@@ -44,7 +45,8 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
     found = [(values, error) for values, error in asked if error]
     if not found:
         return None
-    values, error = _placed(level, *max(found, key=lambda one: _needed(one[1])))
+    values, error = max(found, key=lambda one: _needed(one[1]))
+    values, error = _placed(level, values, error, most)
     if advised and error.rate is not None:
         from sandbox.physics.advising.remedy_trials import with_advice
 
@@ -83,13 +85,24 @@ def _needed(error: SimulationError) -> float:
     return error.rate or inf
 
 
-def _placed(level: Level, values: Values, error: SimulationError) -> tuple[Values, SimulationError]:
-    """Return an error with its place, and the parameters that cause it, as few as possible."""
-    for name, default in level.defaults.items():
-        tamer = {**values, name: default}
+def _placed(
+    level: Level, values: Values, error: SimulationError, most: int
+) -> tuple[Values, SimulationError]:
+    """Return an error with its place, and the parameters that cause it, as few as possible.
+
+    They are sought by halves, as most do not matter; at most `most` times.
+    """
+    pending = [[name for name, value in values.items() if value != level.defaults[name]]]
+    for _ in range(most):
+        names = pending.pop() if pending else []
+        if not names:
+            break
+        tamer = {**values, **{name: level.defaults[name] for name in names}}
         same = _refused(level, tamer)
         if same and _needed(same) >= _needed(error):
             values, error = tamer, same
+        elif len(names) > 1:
+            pending += [names[len(names) // 2 :], names[: len(names) // 2]]
     changed = {name: value for name, value in values.items() if value != level.defaults[name]}
     if changed:
         error = error.when(", ".join(f"{name} = {value:g}" for name, value in changed.items()))
