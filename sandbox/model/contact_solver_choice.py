@@ -126,10 +126,10 @@ def has_one_sided_joints(level: Level, stepping: Stepping | None = None) -> bool
     return sum(isinstance(joint, Pulley) for joint in joints) > len(_lone_strings(level))
 
 
-def locates_rebounds(level: Level, stepping: Stepping) -> bool:
+def locates_rebounds(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether stops that rebound are solved together with contacts: directly, without events."""
-    changes = bool(level.events) or any(True for _ in breakable(level.joints))
-    return is_direct(level, stepping) and stepping.scheme == "leapfrog" and not changes
+    direct = is_direct(level, stepping) and (stepping or level.stepping).scheme == "leapfrog"
+    return direct and not (level.events or any(breakable(level.joints)))
 
 
 def lone_strings(level: Level) -> set[str]:
