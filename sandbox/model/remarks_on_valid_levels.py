@@ -1,4 +1,4 @@
-"""Remarks on a well-formed level: effects without strength, checks that never apply.
+"""Remarks on a well-formed level: effects without strength, checks that never apply, and the like.
 
 Effects are simulated as declared, at their cost, even if they change nothing. A strength that is a
 parameter may be zero at times; remarks are about those that are zero for all parameters.
@@ -7,6 +7,8 @@ parameter may be zero at times; remarks are about those that are zero for all pa
 from collections.abc import Iterator
 from contextlib import suppress
 
+from sandbox.model.contact_solver_choice import is_direct, locates_rebounds
+from sandbox.model.events import rebounding_stops
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.level import Level
@@ -16,8 +18,16 @@ from sandbox.model.translatable_message import Message
 
 
 def remarks(level: Level) -> Iterator[Fault]:
-    """Yield the effects that have no strength, and the checks that never apply."""
+    """Yield effects without strength, checks that never apply, and stops that are less exact."""
     yield from _without_strength(level)
+    if level.stepping.scheme == "leapfrog" and is_direct(level) and not locates_rebounds(level):
+        for name, _ in rebounding_stops(level.joints):
+            rule = Message(
+                "'{name}' rebounds less exactly where bodies land in the same step, since the"
+                " level has events or joints that break",
+                name=name,
+            )
+            yield Fault(("joints", name, "restitution"), rule)
     for index, check in enumerate(level.checks):
         if check.valid_if and not _ever_holds(check.valid_if, level):
             rule = Message("the check never applies: its condition is false")

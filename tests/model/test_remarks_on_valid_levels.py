@@ -8,6 +8,8 @@ from sandbox.model.loading import load
 from sandbox.model.remarks_on_valid_levels import remarks
 from tests.effects import idle
 from tests.model.levels import bare, level, setting, touching
+from tests.physics import scenes
+from tests.physics.scenes import GRAVITY
 
 STRONG = [effect.name for effect in EFFECTS.values() if effect.strength and effect.is_force]
 
@@ -76,3 +78,18 @@ def test_a_check_that_never_applies_is_told(condition: str, told: str | None) ->
     assert [(fault.path, fault.rule.endswith(told or "")) for fault in found] == (
         [(("checks", 0, "valid_if"), True)] if told else []
     )
+
+
+@pytest.mark.parametrize("events", [{}, {"cut": {"at": 1, "cut": ["pin"]}}])
+def test_a_stop_that_rebounds_less_exactly_is_told(events: dict[str, object]) -> None:
+    stop = {"type": "angle_stop", "ends": [[0, 0], "flap"], "range": [-0.5, 0.5]}
+    joints = {
+        "pin": {"type": "pivot", "ends": [[0, 0], "flap"]},
+        "stop": {**stop, "restitution": 0.5},
+    }
+    effects = {**GRAVITY, "contact": {}, "rotation": {}}
+    bodies = {"flap": scenes.box(), "ball": scenes.disc((0, 2))}
+    this = scenes.level(bodies, effects, joints=joints, events=events)
+
+    told = [(fault.path, "less exactly" in fault.rule) for fault in remarks(this)]
+    assert told == ([(("joints", "stop", "restitution"), True)] if events else [])

@@ -9,6 +9,7 @@ those lower than g dt²/8.
 Stops without a restitution, and ropes, are one-sided joints at all times, which the direct solver
 locates (see `taut_ropes_and_reached_stops`). In a scene with elastic stops they are located here,
 as with e = 0.
+Beside contacts solved directly, without events, the direct solver locates elastic stops as well.
 """
 
 from collections.abc import Mapping
@@ -20,7 +21,7 @@ import numpy as np
 from sandbox.model.events import rebounding_stops, stops_without_rebound
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
-from sandbox.model.translatable_message import Message
+from sandbox.physics.contacts.direct.drifts.taut_ropes_and_reached_stops import OFTEN
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.events.breaking_at_impact import broken_jolt
 from sandbox.physics.events.joint_cuts_and_force_switches import NEAR, Part, first_time
@@ -40,11 +41,6 @@ each, which each bounce solves anew: about a second of computing."""
 
 BOUNCE = 40
 """The equations that take as long as what a bounce takes besides them."""
-
-OFTEN = Message(
-    "stops are met too often in a step to be followed, such as '{name}'; reduce their"
-    " 'restitution', or give what they hold more room",
-)
 
 
 class Bounces:

@@ -73,14 +73,17 @@ def assemble(
     touches: Touches | None = None,
     *,
     direct: bool = False,
+    bounces: bool = False,
 ) -> Joints:
     """Make the joints of a scene of n bodies.
 
     `inverse_mass` is (n, 3), the inverse mass, mass and moment of inertia, 0 of bodies that do not
     move or turn [1/kg, 1/(kg m²)]. `touches` finds the pairs to stick together that have met. If
-    `direct`, contacts are solved together with the exact joints, even if there are none.
+    `direct`, contacts are solved together with the exact joints, even if there are none; and if
+    it `bounces`, with the stops that rebound.
     """
-    return _Assembly(level, values, bodies, inverse_mass, touches).joints(batch, direct=direct)
+    assembly = _Assembly(level, values, bodies, inverse_mass, touches, bounces=bounces)
+    return assembly.joints(batch, direct=direct)
 
 
 class _Assembly:
@@ -93,6 +96,8 @@ class _Assembly:
         bodies: Mapping[str, pymunk.Body],
         inverse_mass: Array,
         touches: Touches | None,
+        *,
+        bounces: bool,
     ) -> None:
         self._level, self._values, self._bodies = level, values, bodies
         self._inverse_mass = inverse_mass
@@ -110,8 +115,11 @@ class _Assembly:
             weld=self._weld_where_they_are,
         )
         self._open = tied_joints(level.events)
-        self._bounce = [name for name, _ in rebounding_stops(level.joints)]
-        self._bounce += stops_without_rebound(level.joints, level.events)
+        rebounds = {name: e(values) for name, e in rebounding_stops(level.joints)}
+        self._rebounds = rebounds if bounces else {}
+        self._bounce = [] if bounces else [*rebounds]
+        if self._bounce:
+            self._bounce += stops_without_rebound(level.joints, level.events)
         if self._open:
             self._joints.latches = Latches(self._open, self._tie)
         self._origin = _origin(bodies)
@@ -129,6 +137,7 @@ class _Assembly:
             inverse_mass = self._inverse_mass[:, 0], self._inverse_mass[:, 2]
             refuse_too_many((*rows, *others), inverse_mass[0])
             joints.together = ExactJoints(rows, others, batch, *inverse_mass, self._origin)
+            joints.together.rebounds = self._rebounds
         for name in level.joints:
             if name not in self._open:
                 self._make_one(name)

@@ -11,7 +11,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pymunk
 
-from sandbox.model.contact_solver_choice import has_one_sided_joints, is_direct
+from sandbox.model.contact_solver_choice import (
+    has_one_sided_joints,
+    is_direct,
+    locates_rebounds,
+)
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.pymunk_bodies import make_body
@@ -200,7 +204,9 @@ def _make_joints(
     space = next(iter(bodies.values())).space
     assert space
     touches, direct = touches_of(space, level), is_direct(level, stepping)
-    joints = assemble(level, values, bodies, batch, inverse_mass, touches, direct=direct)
+    bounces = locates_rebounds(level, stepping)
+    made = bodies, batch, inverse_mass, touches
+    joints = assemble(level, values, *made, direct=direct, bounces=bounces)
     if contact:
         from sandbox.physics.contacts.detection.overlaps_at_start import refuse_overlaps
 

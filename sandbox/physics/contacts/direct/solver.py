@@ -274,7 +274,7 @@ class DirectSolver:
         if not (lands or pulls or (taken and taken.slides)):
             return None
         whole, (laws,) = self._whole_drift(pose, motion.values), self._spread(self._acceleration)
-        catches = pulls and caught(whole).any()
+        catches = pulls and caught(whole, laws).any()
         if not (lands or catches or len(slip_ends(whole, laws))):
             return None
         driven, calm = self._driven(), self._none if stopped is None else stopped

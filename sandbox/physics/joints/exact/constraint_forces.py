@@ -3,7 +3,7 @@
 Joints come and go while a scene runs; their equations and known forces are kept up to date.
 """
 
-from collections.abc import Container, Sequence
+from collections.abc import Container, Mapping, Sequence
 
 import numpy as np
 
@@ -20,7 +20,8 @@ class ConstraintForces(JointSystem):
     `tension`, (m,), is the force along each row in the last kick [N], positive where it pulls;
     `added`, (m,), are the equations added since then. `parts` is the number of kicks in a step: the
     forces of a kick are predicted from the same kick of earlier steps. `kick` and `drift` are the
-    durations of the next kick, and of the drift after it [s].
+    durations of the next kick, and of the drift after it [s]. `rebounds` are the coefficients of
+    restitution of the stops among the joints that rebound, by name.
     """
 
     def __init__(
@@ -41,12 +42,18 @@ class ConstraintForces(JointSystem):
         self._warm_start = self._cold  # impulses that have acted in this kick already
         self._struck = False
         self.kick = self.drift = 0.0
+        self.rebounds: Mapping[str, float] = {}
 
     def _lay_out(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
         """Make the tables of all equations."""
         super()._lay_out(rows, others)
         self._cold = np.zeros(len(self._joints))
         self._fresh = True  # not checked for redundancy yet
+
+    @property
+    def restitution(self) -> Array:
+        """The coefficient of restitution of each equation: (m,)."""
+        return np.array([self.rebounds.get(name, 0.0) for name in self._joints])
 
     def add(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
         """Add equations; motion that they stop at once is an impact, which the next kick ends."""

@@ -41,6 +41,9 @@ from sandbox.physics.contacts.direct.drifts.taut_ropes_and_reached_stops import 
     catch_time,
     caught,
     loose,
+    not_reached,
+    refuse_more,
+    restitution,
     until_caught,
 )
 from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, crowd, stopped
@@ -196,13 +199,14 @@ class DriftCutter(SubdriftSolver):
 
     def _loose(self, part: Subdrift) -> Subdrift:
         """Return a part, solved without the slack joints that catch in it, if any do."""
-        catches = caught(part)
+        catches = caught(part, self._laws)
         if self._catches == CATCHES or not np.count_nonzero(catches):
+            refuse_more(part, catches)
             return part
         saved, acts = self.reached, part.kick.acts[part.kick.layout.joints][catches]
         self.reached = saved | linked(part.kick, np.asarray(acts.any(axis=0)))
         try:
-            return self._solved(loose(part), part.drift, part.kick_duration)
+            return self._solved(loose(part, self._laws), part.drift, part.kick_duration)
         except (JointFailure, NoForces):
             self.reached = saved
             return part
@@ -285,7 +289,7 @@ class DriftCutter(SubdriftSolver):
         self._add_bodies(around(kick, down.followed_by(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = ~kick.ahead & (kick.layout.touching.pair >= len(known.bodies))
-        catching = shorter.kick.slack & ~kick.slack
+        catching = not_reached(shorter, self._laws) & ~kick.slack
         if met or catching.any():
             begun, stages = self._struck(part, struck, catching)
         else:
@@ -329,7 +333,10 @@ class DriftCutter(SubdriftSolver):
         `catching` which of its joints catch, (m,).
         """
         some, approach, before = self._arrived(part, struck, catching)
-        begun, pushes, pairs = coupled_impacts.solve_impacts(some, approach, struck, part.active)
+        rebounds = restitution(part, approach, catching, self._laws, self._whole.drift)
+        begun, pushes, pairs = coupled_impacts.solve_impacts(
+            some, approach, struck, part.active, rebounds
+        )
         stages = *before, Stage.of(part.kick, 0.0, begun[self._indices], pushes)
         landed = part.kick.layout.touching.pair[struck]
         time = self._whole.drift - part.time_left + part.drift
@@ -341,9 +348,3 @@ class DriftCutter(SubdriftSolver):
     def _close_corners(self, part: Subdrift) -> Subdrift:
         """Return a part in which corners have come down; see `close_slow_corners`."""
         return close_slow_corners(part, self._speculative, self._build, self._laws, self._again)[0]
-
-    def _again(self, part: Subdrift, kick: Kick) -> Subdrift:
-        """Return a part, solved with more rows."""
-        forces, active = recalled(part.kick, part.forces, part.active, kick)
-        more = part._replace(kick=kick, forces=forces, active=active)
-        return self._solved(more, part.drift, part.kick_duration)

@@ -12,6 +12,7 @@ from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_records import Stage
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.end_of_drift_impulses import hold
+from sandbox.physics.contacts.direct.solving.warm_start import recalled
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.joints.exact.constraint_interface import coordinate_indices
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces
@@ -72,6 +73,12 @@ class SubdriftSolver:
             velocity=velocity,
             flat=flat,
         )
+
+    def _again(self, part: Subdrift, kick: Kick) -> Subdrift:
+        """Return a part, solved with more rows."""
+        forces, active = recalled(part.kick, part.forces, part.active, kick)
+        more = part._replace(kick=kick, forces=forces, active=active)
+        return self._solved(more, part.drift, part.kick_duration)
 
     def _lasting(self, last: Subdrift, drift: float) -> Subdrift:
         """Return the last part with forces that last for a whole drift [s].

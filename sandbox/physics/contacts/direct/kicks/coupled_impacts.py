@@ -93,7 +93,11 @@ def approach_velocity(
 
 
 def solve_impacts(
-    kick: Kick, approach: Array, strikes: Booleans, active: Active | None = None
+    kick: Kick,
+    approach: Array,
+    strikes: Booleans,
+    active: Active | None = None,
+    rebounds: Array | None = None,
 ) -> tuple[Array, Array, list[Pair]]:
     """Return the velocities after the impacts of a step, their impulses, and the pairs.
 
@@ -102,20 +106,21 @@ def solve_impacts(
     rebound is reduced to the largest share for which there are impulses that add no energy.
 
     `approach`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `active` see
-    `approach_velocity`. Raises `JointFailure` or `NoForces` if there are no impulses even without a
-    rebound.
+    `approach_velocity`. `rebounds`, (m,), are the coefficients of restitution of the joints that
+    catch, 0 of all others; None if none rebounds. Raises `JointFailure` or `NoForces` if there are
+    no impulses even without a rebound.
     """
     if kick.layout.in_sequence and np.count_nonzero(strikes):
         impulse, groups = _in_sequence(kick, approach)
     else:
-        impulse, groups = _together(kick, approach, strikes, active), [np.flatnonzero(strikes)]
+        impulse = _together(_Rebound(kick, approach, strikes, active, rebounds))
+        groups = [np.flatnonzero(strikes)]
     pairs = [pair for gaps in groups for pair in kick.layout.touching.pairs(gaps)]
     return approach + impulse @ kick.response, impulse, pairs
 
 
-def _together(kick: Kick, approach: Array, strikes: Booleans, active: Active | None) -> Array:
+def _together(rebound: "_Rebound") -> Array:
     """Return the impulses of impacts that are solved all at once, (r,); see `solve_impacts`."""
-    rebound = _Rebound(kick, approach, strikes, active)
     impulse = rebound.admissible_impulses(1.0, EXACT)
     if impulse is None:
         impulse = rebound.impulses(_largest(rebound) if rebound.rebound_rate.any() else 0.0)
@@ -177,7 +182,12 @@ class _Rebound:
     """
 
     def __init__(
-        self, kick: Kick, approach: Array, strikes: Booleans, active: Active | None
+        self,
+        kick: Kick,
+        approach: Array,
+        strikes: Booleans,
+        active: Active | None,
+        rebounds: Array | None,
     ) -> None:
         self._kick, self._approach, self._guess = kick, approach, active
         layout, self._rates = kick.layout, kick.rows_at_start.jacobian @ approach
@@ -186,6 +196,9 @@ class _Rebound:
         self.rebound_rate = np.zeros(len(kick.response))
         closing = np.minimum(self._rates[layout.gaps], 0.0)
         self.rebound_rate[layout.gaps] = layout.restitution * closing * strikes
+        if rebounds is not None:
+            closing = np.minimum(self._rates[layout.joints], 0.0)
+            self.rebound_rate[layout.joints] = rebounds * closing
         self._ahead = np.zeros(len(kick.response), dtype=bool)
         self._ahead[layout.gaps] = kick.ahead
         if active is not None:
