@@ -108,8 +108,9 @@ def _approach(part: Subdrift, velocity: Array, acceleration: Array) -> tuple[Arr
 def refuse_more(part: Subdrift, catches: Booleans) -> None:
     """Raise a `JointFailure` if a stop that rebounds is among those that catch: (m,)."""
     joints = part.kick.joints
-    if joints.rebounds and (catches & (joints.restitution > 0)).any():
-        name = joints.names[int(np.flatnonzero(catches & (joints.restitution > 0))[0])]
+    met = np.flatnonzero(catches & (joints.restitution > 0))
+    if len(met):
+        name = joints.names[met[0]]
         raise JointFailure(name, OFTEN.filled(name=name))
 
 
