@@ -35,15 +35,15 @@ def examples(effect: str, number: float = 1.0) -> Iterator[Any]:
     for name, inside in _fields(part).items():
         for choice in inside.get("enum", ()):
             yield _with(_value(part, number, full=True), name, choice)
-        if "over the parameters and t." in _comments(inside):
+        if "in the parameters and t." in _comments(inside):
             yield _with(_value(part, number, full=True), name, [f"{number}*sin(9*t)", "t"])
-        if "over the parameters and x, y, vx, vy, t" in _comments(inside):
+        if "in the parameters and x, y, vx, vy, t" in _comments(inside):
             formulas = [f"-{number}*vx*(2 + sin(y))", "cos(x)*sin(t)"]
             yield _with(_value(part, number, full=True), name, formulas)
-        if "over the parameters and theta, omega, t" in _comments(inside):
+        if "in the parameters and theta, omega, t" in _comments(inside):
             formula = f"{number}*sin(t) - omega/5 - sin(theta)"
             yield _with(_value(part, number, full=False), name, formula)
-        if "over the parameters and x, y." in _comments(inside):
+        if "in the parameters and x, y." in _comments(inside):
             yield _with(_value(part, number, full=True), name, f"{number}*sin(x + y**2/5)*x")
 
 
@@ -107,6 +107,6 @@ def _value(part: Part, number: float, *, full: bool) -> Any:  # noqa: ANN401 (wh
         return [_of_others(_value(item, number, full=full), i) for i, item in enumerate(items)]
     if part["type"] == "boolean" or "pattern" in part:
         return "named" if "pattern" in part else False
-    if number and "over the parameters and x, y." in part.get("$comment", ""):
+    if number and "in the parameters and x, y." in part.get("$comment", ""):
         return f"{number}*x"  # a potential that is the same everywhere gives no force
     return BODIES[0] if part.get(NAMES) == "body" else number

@@ -51,7 +51,7 @@ class Experiment(Model):
     """the measures of each run: `QUANTITY@end`, `@TIME`, `@landing(BODY)`, `@apex(BODY)`,
     `@contact(BODY, BODY)`, `@crossing(QUANTITY, VALUE, up)` or `@until`; `min`, `max`, `largest`,
     `amplitude`, `mean` or `integral` of `(QUANTITY)`; `error(CHECK)`. `QUANTITY` may be an
-    arithmetic expression over several quantities"""
+    arithmetic expression in several quantities"""
     set: Mapping[Name, Finite] = {}
     """the values of parameters that differ from the level's own"""
     draws: Annotated[int, Field(ge=1, le=10**9)] | None = None

@@ -24,7 +24,7 @@ class Observable:
 
     text: str
     unit: str
-    """Its SI unit; empty for arithmetic over several quantities."""
+    """Its SI unit; empty for arithmetic with several quantities."""
     quantities: tuple[str, ...]
     """The names of the quantities it is computed from."""
     _formula: Formula | None

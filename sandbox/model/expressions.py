@@ -1,4 +1,4 @@
-"""Numbers that may be written as formulas over a level's parameters."""
+"""Numbers that may be written as formulas in a level's parameters."""
 
 from collections.abc import Mapping
 from math import isfinite
@@ -22,7 +22,7 @@ Values = Mapping[str, float]
 class Expression:
     """A finite number, or a formula for one.
 
-    A formula is arithmetic over parameters, ``pi``, ``deg`` and the functions of `FUNCTIONS`.
+    A formula is arithmetic with parameters, ``pi``, ``deg`` and the functions of `FUNCTIONS`.
     Raises `ExpressionError` if the source is anything else.
     """
 
@@ -187,8 +187,8 @@ class Expression:
     def __get_pydantic_json_schema__(
         cls, _: CoreSchema, __: GetJsonSchemaHandler
     ) -> JsonSchemaValue:
-        over = f"a formula over the parameters and {', '.join(cls.variables)}"
-        what = over if cls.variables else "an expression"
+        formula = f"a formula in the parameters and {', '.join(cls.variables)}"
+        what = formula if cls.variables else "an expression"
         return {
             "type": ["number", "string"],
             "maxLength": MAX_LENGTH,

@@ -1,4 +1,4 @@
-"""Expressions over variables of their own, such as the time: their values and derivatives."""
+"""Expressions in variables of their own, such as the time: their values and derivatives."""
 
 from collections.abc import Mapping
 
@@ -10,7 +10,7 @@ from sandbox.model.symbolic_derivatives import is_smooth
 
 
 class Function(Expression):
-    """An expression over variables of its own, in addition to the parameters."""
+    """An expression in variables of its own, in addition to the parameters."""
 
     def at(self, values: Values, variables: Mapping[str, Array]) -> Array:
         """Return the value for given variables; not finite where it has none.
@@ -50,13 +50,13 @@ class Formula(Function):
 
 
 class Curve(Formula):
-    """A coordinate of a curve: a formula over ``s``, the parameter along the curve."""
+    """A coordinate of a curve: a formula in ``s``, the parameter along the curve."""
 
     variables = ("s",)
 
 
 class Profile(Formula):
-    """A formula over a position ``x`` [m] instead of the time."""
+    """A formula in a position ``x`` [m] instead of the time."""
 
     variables = ("x",)
 

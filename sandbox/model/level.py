@@ -184,9 +184,9 @@ class Level(Model):
     reference: Prose = ""
     """the section of the document that the level is taken from"""
     parameters: Annotated[Mapping[Name, Parameter], Field(max_length=50)] = {}
-    """the numbers that the player can change; any number in the scene can be a formula over them"""
+    """the numbers that the player can change; any number in the scene can be a formula in them"""
     constants: Annotated[Mapping[Name, Expression], Field(max_length=MAX_CONSTANTS)] = {}
-    """named formulas over the parameters and other constants; any formula can use them"""
+    """named formulas in the parameters and other constants; any formula can use them"""
     effects: Effects = Effects.model_construct()
     """the effects to simulate; an effect that is not listed is not simulated"""
     bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]

@@ -116,31 +116,31 @@ class Duration(Positive, least=1e-12, most=1e12, unit="s"):
 
 
 class ForceOverTime(Formula, most=1e40, unit="N"):
-    """A force along an axis, over the time."""
+    """A force along an axis, as a function of time."""
 
 
 class LengthOverTime(Formula, most=1e15, unit="m"):
-    """A length over the time."""
+    """A length as a function of time."""
 
 
 class AngleOverTime(Formula, most=1e9, unit="rad"):
-    """An angle over the time."""
+    """An angle as a function of time."""
 
 
 class SpinOverTime(Formula, most=1e12, unit="rad/s"):
-    """An angular velocity over the time."""
+    """An angular velocity as a function of time."""
 
 
 class ForceInField(Function, most=1e40, unit="N", variables=("x", "y", "vx", "vy", "t")):
-    """A force along an axis, over where a body is, how it moves, and the time."""
+    """A force along an axis, as a function of position, velocity and time."""
 
 
 class EnergyInField(Function, most=1e60, unit="J", variables=("x", "y")):
-    """A potential energy, over where a body is."""
+    """A potential energy, as a function of position."""
 
 
 class TorqueOfTurning(Function, most=1e40, unit="N·m", variables=("theta", "omega", "t")):
-    """A torque, over how a body is turned, how fast it turns, and the time."""
+    """A torque, as a function of a body's angle, its angular velocity and time."""
 
 
 class Twist(NonNegative, most=1e30, unit="N·m/rad"):

@@ -36,7 +36,7 @@ SINGULAR = 1e-12
 """The share of the stiffest row's stiffness below which joints count as redundant."""
 
 TAUT = 1e-9
-"""The tolerance within which a rope is taut [m]; see `invariants.JOINTS`."""
+"""The tolerance within which a rope is taut [m]; see `property_checks.JOINTS`."""
 
 KNOWN = 3e-9
 """The precision of heights [m]: surfaces have a skin of 1e-9 m, and joints hold to as much."""

@@ -19,7 +19,7 @@ HOSTILE: Sequence[float | str] = (
 VARYING: Sequence[str] = ("{0}", "sin(9*{0})", "1 + 0.1*{0}", "1/{0}", "exp(9*{0})", "{0}**2")
 """Formulas of the time, a position, a velocity, or the parameter of a wire or a landscape."""
 
-_VARIABLES = re.compile(r"over the parameters and (\w+(?:, \w+)*)")
+_VARIABLES = re.compile(r"in the parameters and (\w+(?:, \w+)*)")
 
 WILD = 0.06
 """The probability of a hostile number; a level has dozens, and one is enough."""

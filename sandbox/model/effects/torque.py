@@ -28,5 +28,5 @@ class Torque(Model):
     omega [rad/s] and the time t: for example `max(-2, min(2, 50*(3 - omega)))` for a motor that
     gives 3 rad/s with at most 2 N·m"""
     against: BodyName | None = None
-    """the reference body, which feels the opposite torque, and relative to which theta and omega
+    """the reference body, on which the opposite torque acts, and relative to which theta and omega
     are measured; the plane if left out"""

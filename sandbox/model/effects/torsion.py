@@ -26,5 +26,5 @@ class Torsion(Model):
     angle: Angle = Angle(0)
     """rad, θ0, the rest angle"""
     against: BodyName | None = None
-    """the reference body, which feels the opposite torque, and relative to which the angle is
+    """the reference body, on which the opposite torque acts, and relative to which the angle is
     measured; the plane if left out"""

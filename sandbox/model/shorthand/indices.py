@@ -136,7 +136,7 @@ def _whole_number(value: Any, indices: Indices) -> int:  # noqa: ANN401 (whateve
     if isinstance(value, bool) or not isinstance(value, int):
         raise IndexFault(
             Message(
-                "must be {how}: whole numbers, or expressions over other indices in braces", how=HOW
+                "must be {how}: whole numbers, or expressions in other indices in braces", how=HOW
             )
         )
     return value

@@ -18,7 +18,7 @@ Bound = (
     Annotated[int, Field(ge=-MOST_TIMES, le=MOST_TIMES)]
     | Annotated[str, Field(pattern=r"^\s*\{[^{}]+\}\s*$")]
 )
-"""A whole number, or an expression in braces over other indices."""
+"""A whole number, or an expression in other indices, in braces."""
 
 
 _TOLD = {

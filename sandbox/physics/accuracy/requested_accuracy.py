@@ -50,7 +50,7 @@ class Setting:
     def __str__(self) -> str:
         text = f"accuracy {self.target:g}: {self.chosen}, judged by {self.judged_by}"
         if self.decided_by:
-            text += f", of which {self.decided_by} decided"
+            text += f"; the largest error is that of {self.decided_by}"
         if not self.verified:
             text += "; expected of its order, for a run that shows it takes too long"
         if self.in_real_time is None:
@@ -131,7 +131,9 @@ def _refused(
     """Return the error for an accuracy that cannot be reached; it names the best setting."""
     if result.decided_by:
         judged_by = Message(
-            "{judged_by}, of which {name} decided", judged_by=judged_by, name=result.decided_by
+            "{judged_by}; the largest error is that of {name}",
+            judged_by=judged_by,
+            name=result.decided_by,
         )
     judged = result.level.duration(result.values)
     if judged < level.duration(result.values):

@@ -1,4 +1,4 @@
-"""The inspector: fields, choices and switches of the selected part (see `building.fields`)."""
+"""The inspector: fields, choices and switches of the selected part (see `inspected_fields`)."""
 
 import dataclasses
 from collections.abc import Collection, Iterator, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""Formulas over time have a value for the whole run, and rods change their length gradually."""
+"""Formulas in the time have a value for the whole run, and rods change their length gradually."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -46,7 +46,7 @@ Times = Callable[[Values], Array]
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield the conditions on the formulas over time in a scene."""
+    """Yield the conditions on the formulas in the time."""
     formulas = list(_formulas(level))
     times = partial(_times, level, max(min(MOST, SHARED // max(len(formulas), 1)), FEW))
     for path, formula in formulas:

@@ -1,4 +1,4 @@
-"""The system of all exact joints of a scene, over the coordinates of its bodies."""
+"""The system of all exact joints of a scene, in the coordinates of its bodies."""
 
 from collections.abc import Sequence
 from functools import cached_property
