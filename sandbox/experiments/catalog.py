@@ -1,5 +1,6 @@
 """The experiments that come with the project: one JSON file each, beside the levels."""
 
+import os
 from pathlib import Path
 
 from sandbox.experiments.experiment_file import Experiment, read
@@ -41,7 +42,7 @@ def find(experiment: str) -> Path:
             "is not an experiment{hint}",
             hint=suggestion(experiment, names(), longest=20),
         )
-    if not path.is_file():
+    if not os.path.lexists(path):  # the reader refuses a pipe, a folder or a broken link
         refuse(brief(experiment), "there is no such file")
     return path
 

@@ -1,5 +1,6 @@
 """All mistakes are reported at once, each with its place; the rows are those of the grid."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -82,3 +83,14 @@ def test_an_unknown_level_is_a_mistake_of_the_file(tmp_path: Path) -> None:
     path.write_text('{"level": "projectil", "vary": {"angle": "10"}, "measure": ["t@end"]}')
     with pytest.raises(LevelError, match=r"1:2: level: .*did you mean"):
         catalog.open_plan(path)
+
+
+@pytest.mark.parametrize("odd", ["pipe", "circle", "nowhere"])
+def test_what_is_no_ordinary_file_is_not_said_to_be_absent(tmp_path: Path, odd: str) -> None:
+    path = tmp_path / "mine.json"
+    if odd == "pipe":
+        os.mkfifo(path)
+    else:
+        path.symlink_to(path if odd == "circle" else tmp_path / "nothing")
+    with pytest.raises(LevelError, match="is not an ordinary file"):
+        catalog.open_plan(catalog.find(str(path)))
