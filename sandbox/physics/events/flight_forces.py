@@ -25,7 +25,7 @@ def of_velocity(scene: Scene) -> tuple[Law, ...]:
 
 
 class FlightForces:
-    """The forces of l laws on the n bodies of a scene, along a path of `dt` [s].
+    """The forces of l laws on the n bodies of a scene, and those that turn velocities, on a path.
 
     The last kick saw the motion `reading`. `momentum`, (3,), is that by all forces in the flights
     that have ended [kg m/s, kg m²/s].
@@ -34,11 +34,12 @@ class FlightForces:
     def __init__(self, scene: Scene, laws: tuple[Law, ...], reading: Reading, path: Path) -> None:
         self._laws, self._reading, self._path = laws, reading, path
         self._inertia, self._inverse_mass = scene.inertia, scene.inverse_mass
-        self._at_rest = np.zeros((len(laws), *scene.inertia.shape))
+        self._rotations = scene.rotations
+        self._at_rest = np.zeros((len(laws) + len(scene.rotations), *scene.inertia.shape))
         self._at_rest = self._forces(np.zeros_like(scene.inertia))
         self._first = self._now = self._forces(reading.state[:, 3:])
         self._start = path.velocity.copy(), path.acceleration.copy()
-        self._works, self.momentum = np.zeros(len(laws)), np.zeros(3)
+        self._works, self.momentum = np.zeros(len(self._at_rest)), np.zeros(3)
 
     @property
     def first_acceleration(self) -> Array:
@@ -46,16 +47,28 @@ class FlightForces:
         return np.asarray(self._first.sum(axis=0) * self._inverse_mass)
 
     @property
+    def change(self) -> Array:
+        """How the forces have changed in the drift: (n, 3) [N, N m]."""
+        return np.asarray((self._now - self._first).sum(axis=0))
+
+    @property
     def law_works(self) -> tuple[tuple[Law, float], ...]:
         """The works of the laws, beyond those in the halves of the kicks at its ends [J]."""
-        return tuple(zip(self._laws, self._works.tolist(), strict=True))
+        return tuple(zip(self._laws, self._works.tolist(), strict=False))
 
     def _forces(self, velocity: Array) -> Array:
-        """Return the forces beyond those on bodies at rest, given velocities (n, 3): (l, n, 3)."""
+        """Return the forces beyond those on bodies at rest, (n, 3) each, by laws and rotations.
+
+        `velocity`, (n, 3), are the velocities [m/s, rad/s].
+        """
         wrenches = np.zeros_like(self._at_rest)
         state = np.concatenate((self._reading.state[:, :3], velocity), axis=1)
-        for law, wrench in zip(self._laws, wrenches, strict=True):
-            law.add(Reading(self._reading.t, state), wrench)
+        motion, count = Reading(self._reading.t, state), len(self._laws)
+        for law, wrench in zip(self._laws, wrenches, strict=False):
+            law.add(motion, wrench)
+        for turn, wrench in zip(self._rotations, wrenches[count:], strict=True):
+            turned = velocity[:, 1::-1] * (-1, 1)
+            wrench[:, :2] = self._inertia[:, :2] * turn.rate(motion)[:, None] * turned
         return np.asarray(wrenches - self._at_rest)
 
     def divide(self, t: float, hits: Sequence[Hit], jump: Callable[[], Array]) -> Booleans:

@@ -46,11 +46,13 @@ class Cut(NamedTuple):
     """The outcome of the impacts within a drift; n bodies.
 
     `jump`, (n, 3), are the jumps of the velocities at the beginning of the next kick [m/s, rad/s],
-    and `acceleration_change`, (n, 3), the changes of the accelerations [m/s², rad/s²].
+    `acceleration_change`, (n, 3), the changes of the accelerations [m/s², rad/s²], and
+    `wrench_change`, (n, 3), those of forces that depend on velocities [N, N m]; None if none do.
     """
 
     jump: Array
     acceleration_change: Array
+    wrench_change: Array | None
 
 
 class ImpactLocator:
@@ -144,7 +146,7 @@ class ImpactLocator:
         path = Path(pose, drifts - acceleration * (self._dt / 2), acceleration)
         self._extra_momentum = np.zeros(3)
         self._flights = None
-        if self._laws and law_motion:
+        if (self._laws or self._scene.rotations) and law_motion:
             self._flights = FlightForces(self._scene, self._laws, law_motion, path)
         self._solve_in_order(path, near, law_acceleration * self._dt)
         return self._hand_over(path, state, acceleration) if self.impacts else None
@@ -172,7 +174,8 @@ class ImpactLocator:
         state[:, 3:] = self.pre_kick_velocity
         self._batch.set_state(state)
         change = np.where(hit[:, None], new_acceleration - acceleration, 0.0)
-        return Cut(self.pre_kick_velocity - drifts, change)
+        wrench_change = self._flights.change if self._flights else None
+        return Cut(self.pre_kick_velocity - drifts, change, wrench_change)
 
     def _compare(
         self, path: Path, accelerations: tuple[Array, Array], poses: tuple[Array, Array]

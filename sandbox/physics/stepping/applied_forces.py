@@ -79,8 +79,13 @@ class Forces:
         if self._extrapolates:
             self._previous_velocity = previous_velocity
 
-    def shift(self, jump: Array) -> None:
-        """Add a jump of velocities since the beginning of the last kick: (n, 3) [m/s, rad/s]."""
+    def shift(self, jump: Array, wrench_change: Array | None = None) -> None:
+        """Add a jump of velocities since the beginning of the last kick: (n, 3) [m/s, rad/s].
+
+        `wrench_change`, (n, 3), is how the laws have changed since then [N, N m].
+        """
+        if wrench_change is not None:
+            self._wrench = self._wrench + wrench_change
         if self._extrapolates:
             self._previous_velocity = self._previous_velocity + jump
 

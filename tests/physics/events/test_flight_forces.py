@@ -58,3 +58,24 @@ def test_a_damper_between_balls_that_bounce_is_of_second_order() -> None:
     first, second = (np.abs(one - other).max() for one, other in pairwise(places))
     assert first < 2e-3  # 8e-4 m
     assert second < first / 3  # 7e-5 m
+
+
+def test_a_charge_that_bounces_turns_on_as_its_velocity_says() -> None:
+    """The field turned the velocity before the bounce up to the next step: 1e-2 m off at 240 Hz."""
+    places = []
+    for rate in (120, 240, 480):
+        ball = disc((0, 1.1), radius=0.1, velocity=[1, 0], restitution=0.7)
+        effects = {
+            **GRAVITY,
+            "contact": {"located": ["ball"]},
+            "restitution": {},
+            "magnetic": {"field": 3, "charges": [{"body": "ball", "charge": 1}]},
+        }
+        bodies = {"ground": floor(restitution=1), "ball": ball}
+        world, books = booked(level(bodies, effects, stepping={"rate": rate}), 0.7)
+        places.append(world.snapshot.position[-1])
+        assert abs(books.balance.unexplained) < 1e-3 * (120 / rate) ** 2  # 7e-4 J at 120 Hz
+
+    first, second = (np.abs(one - other).max() for one, other in pairwise(places))
+    assert first < 1e-4  # 5e-5 m
+    assert second < first / 3  # 1e-5 m

@@ -68,7 +68,7 @@ class Cuts:
         sequence = self._scene.sequence
         forces, jump = self._forces, sequence.last.jump if sequence else None
         if cut := impacts.cut(forces.law_acceleration, forces.law_motion, jump):
-            forces.shift(cut.jump - cut.acceleration_change * self._dt)
+            forces.shift(cut.jump - cut.acceleration_change * self._dt, cut.wrench_change)
             if sequence:
                 sequence.shift(cut.jump, cut.acceleration_change)
 
