@@ -56,7 +56,7 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
     below = space.banner.draw(view, space.pen, view.get_rect(), session)
     labels = [run.label(session.values) for run in session.earlier]
     runs = runs_beside(session)[1] or run_legend.earlier(labels)
-    run_legend.draw(view, space.pen, runs, below, space.stage.view.colors)
+    run_legend.draw(view, space.pen, runs, below, space.stage.view)
 
 
 def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:

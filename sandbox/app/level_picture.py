@@ -87,7 +87,7 @@ def render(
     _run(session, session.duration * TELLING if at is None else at, stage.note_speeds)
     drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
     stage.draw(drawn, session.trail, session.milestones(), session.companions)
-    run_legend.draw(drawn, pen, runs_beside(session)[1], own=stage.view.colors)
+    run_legend.draw(drawn, pen, runs_beside(session)[1], view=stage.view)
     _write(picture, session, pen)
     return picture
 

@@ -1,5 +1,6 @@
 """Labels do not overlap."""
 
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 import pygame
@@ -364,3 +365,31 @@ def test_words_of_the_level_at_the_edge_are_not_cut_off(pen: Pen) -> None:
     texts = stage.view.labels._taken[1:]  # the first is the corner with the scale
     assert len(texts) == 4
     assert all(stage.view.labels.bounds.contains(place) for place in texts)
+
+
+def test_a_name_keeps_off_the_arrows_of_forces_in_a_small_window(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With large text the name of the block lay over its normal force."""
+    place_for, crossed = Labels.place_for, dict[str, bool]()
+
+    def noted_place(
+        labels: Labels, places: Iterable[pygame.Rect], avoid: Sequence[pygame.Rect] = (), *,
+        name: str = "", strict: bool = False,
+    ) -> pygame.Rect | None:  # fmt: skip
+        place = place_for(labels, places, avoid, name=name, strict=strict)
+        crossed[name] = place is None or labels._crosses(place)
+        return place
+
+    monkeypatch.setattr(Labels, "place_for", noted_place)
+    person.resize((900, 600))
+    person.window.comfort.choose(size=150)
+    person.window.apply_preferences()
+    person.window.open_level("newton/incline-with-friction")
+    person.press(pygame.K_j, "j")
+    person.session.looking.chosen = "block"
+    for _ in range(20):
+        person.press(pygame.K_RIGHT)
+
+    assert any(name.startswith("force normal force") for name in crossed)
+    assert not crossed["name block"]

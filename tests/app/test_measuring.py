@@ -36,6 +36,26 @@ def test_a_probe_on_the_trail_tells_when_the_ball_was_there_and_how_fast(person:
     assert pygame.image.tobytes(person.window.surface, "RGB") != before
 
 
+def test_the_words_of_a_probe_are_not_cut_off_in_a_narrow_window(person: Person) -> None:
+    """With large text its line was wider than the stage, and lost both ends."""
+    person.resize((900, 600))
+    person.window.comfort.choose(size=150)
+    person.window.apply_preferences()
+    person.window.open_level("newton/incline")
+    for _ in range(20):
+        person.press(pygame.K_RIGHT)
+    x, y = person.session.history.snapshots.position[10, 1].tolist()
+
+    before = pygame.surfarray.array3d(person.window.surface)
+    person.move(person.on_screen((x, y)))
+
+    stage = person.window.panels.layout.stage
+    changed = (pygame.surfarray.array3d(person.window.surface) != before).any(axis=(1, 2))
+    seen = np.flatnonzero(changed[stage.left : stage.right])
+    assert len(seen)
+    assert 4 < seen[0] < seen[-1] < stage.width - 4
+
+
 def test_a_probe_does_not_tell_rounding(person: Person) -> None:
     """The last ball of the cradle is at rest until it is hit, to some 1e-14 m/s."""
     person.window.open_level("momentum/cradle")

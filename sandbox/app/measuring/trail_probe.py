@@ -7,6 +7,7 @@ import numpy as np
 import pygame
 
 from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.earlier_runs import have_same_bodies
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.runs.session import Session
@@ -18,6 +19,8 @@ REACH = 8.0
 """The largest distance from the mouse to a trail [px]."""
 
 DIGITS = 4
+APART = "   "
+"""The gap between the parts of the text."""
 AWAY, PADDING = 16, 8  # px, from the instant to the text, and around the text
 
 
@@ -50,7 +53,7 @@ class ProbedInstant(NamedTuple):
             for value, scale in numbers
         )
         body = formatting.name_in_words(self.body)
-        return f"{body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
+        return APART.join((body, f"t = {self.t:.3f} s", f"({x}, {y}) m", f"{speed} m/s"))
 
 
 def find(view: View, session: Session, pixel: XY) -> ProbedInstant | None:
@@ -93,7 +96,7 @@ def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> No
         return
     at = view.camera.to_screen(found.at)
     pygame.draw.aacircle(surface, theme.NOTICE, at, 5, 2)
-    text = view.pen.write(found.text, 13)
+    text = _written(view.pen, found.text, surface.width - 2 * PADDING)
     plate = text.get_rect(midtop=(at[0], at[1] + AWAY)).inflate(2 * PADDING, PADDING)
     if plate.bottom > surface.get_height():
         plate.bottom = round(at[1] - AWAY)
@@ -101,3 +104,16 @@ def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> No
     pygame.draw.rect(surface, theme.RAISED, plate, border_radius=4)
     pygame.draw.rect(surface, theme.EDGE, plate, 1, border_radius=4)
     surface.blit(text, text.get_rect(center=plate.center))
+
+
+def _written(pen: Pen, text: str, room: int) -> pygame.Surface:
+    """Return a text as a picture; if it is wider than the room [px], with a line for each part."""
+    lines = [pen.write(text, 13)]
+    if lines[0].width > room:
+        lines = [pen.write(part, 13) for part in text.split(APART)]
+    size = max(line.width for line in lines), sum(line.height for line in lines)
+    picture, y = pygame.Surface(size, pygame.SRCALPHA), 0
+    for line in lines:
+        picture.blit(line, (0, y))
+        y += line.height
+    return picture

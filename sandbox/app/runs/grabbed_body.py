@@ -1,8 +1,11 @@
 """A grip on a body, which pulls it while the run plays and moves it while the run is paused."""
 
+from cmath import rect
+
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.model.joints import Joint, Rod, bodies_of
+from sandbox.model.joints import Rod, Wire, bodies_of
 from sandbox.model.shapes import XY
+from sandbox.model.wire_points import along
 
 
 class Grip:
@@ -25,7 +28,7 @@ class Grip:
         body, (dx, dy) = self._held
         if not playing:
             self._free()
-            place = self._on_its_rod(body, (point[0] - dx, point[1] - dy))
+            place = self._where_held(body, (point[0] - dx, point[1] - dy))
             self._run.act("place", body, place)
             return
         if not self._pulling:
@@ -45,35 +48,55 @@ class Grip:
             self._run.act("release", "", (0.0, 0.0))
             self._pulling = False
 
-    def _on_its_rod(self, body: str, point: XY) -> XY:
-        """Return the position nearest to a point [m] that a rod on the body allows.
+    def _where_held(self, body: str, point: XY) -> XY:
+        """Return the position nearest to a point [m] that a rod or a wire on the body allows.
 
-        Without a rod it is the point itself. It is also with several rods: they allow no other
-        position than the present one, and the run reports an error.
+        Without one it is the point itself. It is also with several: they allow no other position
+        than the present one, and the run reports an error.
         """
         world = self._run.world
-        rods = [name for name, joint in world.level.joints.items() if _is_on(joint, body)]
-        if len(rods) != 1:
+        named, t = world.level.joints.items(), float(world.snapshot.t)
+        held = [
+            (name, joint)
+            for name, joint in named
+            if isinstance(joint, Rod | Wire)
+            and body in bodies_of(joint)
+            and world.scene.joints.holds(name, t)
+        ]
+        if len(held) != 1:
             return point
+        ((name, joint),) = held
+        place = complex(*point)
+        on_wire = isinstance(joint, Wire)
+        place = self._on_wire(name, place) if on_wire else self._on_rod(name, body, place)
+        return place.real, place.imag
+
+    def _on_wire(self, name: str, place: complex) -> complex:
+        """Return the position nearest to a place [m] with the bead on a wire."""
+        world = self._run.world
+        bead = world.scene.joints.wires[name]
+        arm = complex(bead.point) * rect(1.0, float(world.snapshot.angle[bead.body]))
+        wire = world.level.joints[name]
+        assert isinstance(wire, Wire)
+        points = along(wire, world.values)
+        return complex(points[abs(points - place - arm).argmin()] - arm)
+
+    def _on_rod(self, name: str, body: str, place: complex) -> complex:
+        """Return the position nearest to a place [m] with the rod as long as it is."""
+        world = self._run.world
         row = list(world.level.bodies).index(body)
         (one, first), (other, second) = (
             (anchor.body, anchor.kinematics(world.snapshot)[0])
-            for anchor in world.scene.joints.paths[rods[0]]
+            for anchor in world.scene.joints.paths[name]
         )
         end, far = (first, second) if one == row else (second, first)
         arm = end - complex(*self._position(body))  # from the centre to the rod's end
-        offset = complex(*point) + arm - far
+        offset = place + arm - far
         if one == other or not offset:
-            return point
-        place = far + offset / abs(offset) * abs(end - far) - arm
-        return float(place.real), float(place.imag)
+            return place
+        return complex(far + offset / abs(offset) * abs(end - far) - arm)
 
     def _position(self, body: str) -> XY:
         world = self._run.world
         x, y = world.snapshot.position[list(world.level.bodies).index(body)]
         return float(x), float(y)
-
-
-def _is_on(joint: Joint, body: str) -> bool:
-    """Whether a joint is a rod that holds a body."""
-    return isinstance(joint, Rod) and body in bodies_of(joint)

@@ -94,6 +94,12 @@ class View:
         return list(dict.fromkeys(outline.color for outline in self.moving))
 
     @property
+    def boxes(self) -> Sequence[pygame.Rect]:
+        """The bounding boxes of the moving bodies near the picture [px]."""
+        placed = ((each, *self.state(each)) for each in self.moving)
+        return motion_annotations.bounding_boxes(self.camera, placed)
+
+    @property
     def width(self) -> float:
         """The width of the visible part of the plane [m]."""
         return self.camera.size[0] / self.camera.scale

@@ -267,13 +267,19 @@ def draw_names(
             text = pen.outlined(name_in_words(outline.name))
             x, y = (round(c) for c in max(paths[i], key=lambda corner: corner[0] - corner[1]))
             box, place = boxes[i], text.get_rect(topleft=(x + 4, y - 16))
-            places = (
+            places = [
                 place,
                 place.move_to(midbottom=(box.centerx, box.top - 1)),
                 place.move_to(bottomright=(box.left - 4, box.top + 4)),
                 place.move_to(topleft=(box.right + 4, box.bottom - 4)),
                 place.move_to(midtop=(box.centerx, box.bottom + 1)),
-            )
+            ]
+            if min(box.size) < LARGE:  # a line further off is still near it
+                places += [
+                    place.move_to(bottomleft=(box.right + 4, box.top - text.height // 2)),
+                    place.move_to(bottomright=(box.left - 4, box.top - text.height // 2)),
+                    place.move_to(midbottom=(box.centerx, box.top - text.height)),
+                ]
             others, name = boxes[:i] + boxes[i + 1 :], f"name {outline.name}"
             if found := labels.place_for(places, others, name=name, strict=True):
                 surface.blit(text, found)

@@ -1,5 +1,6 @@
 """What if: effects are switched off and on for a run, which is drawn over the original one."""
 
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -107,6 +108,16 @@ def test_both_runs_take_turns_in_going_first(monkeypatch: pytest.MonkeyPatch) ->
     assert order == [run, other, other, run, run, other]
 
 
+@dataclass
+class SeenBodies:
+    """What the legend asks of a view."""
+
+    colors: list[theme.Color]
+    boxes: list[pygame.Rect] = field(default_factory=list)
+    kept: dict[str, int] = field(default_factory=dict)
+    few = True
+
+
 @pytest.mark.parametrize("banner", [0, 72, 130])
 def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -> None:
     """The differences at the end of a run often take several lines."""
@@ -136,14 +147,27 @@ def test_the_legend_tells_the_own_run_by_the_colours_of_its_bodies(pen: Pen) -> 
     surface = pygame.Surface((600, 300))
     red, blue = (239, 71, 111), (17, 138, 178)
 
-    run_legend.draw(
-        surface, pen, [(None, "this run"), (theme.GHOST, "speed = 12.9")], own=[red, blue]
-    )
+    rows = [(None, "this run"), (theme.GHOST, "speed = 12.9")]
+
+    run_legend.draw(surface, pen, rows, view=SeenBodies([red, blue]))  # type: ignore[arg-type]
 
     y = run_legend.CORNER[1] + run_legend.PADDING + (pen.write("this run", 14).height + 2) // 2
     x = run_legend.CORNER[0] + run_legend.PADDING
     assert surface.get_at((x + 3, y))[:3] == red
     assert surface.get_at((x + run_legend.SWATCH - 3, y))[:3] == blue
+
+
+def test_the_legend_keeps_off_moving_bodies_and_stays_in_its_corner(pen: Pen) -> None:
+    """It lay over the left weight of an Atwood machine."""
+    rows, weight = [(None, "this run"), (theme.GHOST, "that")], pygame.Rect(60, 70, 40, 40)
+    seen = SeenBodies([], [weight])
+    for boxes in ([weight], []):
+        surface, seen.boxes = pygame.Surface((600, 300)), boxes
+
+        run_legend.draw(surface, pen, rows, view=seen)  # type: ignore[arg-type]
+
+        drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(1, 2)))
+        assert drawn[0] > weight.right
 
 
 def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:

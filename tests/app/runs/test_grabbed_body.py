@@ -7,7 +7,9 @@ import pytest
 
 from sandbox.app.runs.session import Session
 from sandbox.model import level_catalog
+from sandbox.model.joints import Wire
 from sandbox.model.loading import load
+from sandbox.model.wire_points import along
 from tests.app.person import Person
 from tests.levels.playing import fingerprint
 
@@ -39,6 +41,24 @@ def test_a_ball_that_is_lifted_while_time_stands_stays_on_its_rod(
     assert hypot(x - PIVOTS[body], y - 1) == pytest.approx(1, rel=1e-12)
     along = complex(to[0] - PIVOTS[body], to[1] - 1)
     assert abs(along / abs(along) - complex(x - PIVOTS[body], y - 1)) < 0.03  # four pixels at 0.7 m
+
+
+def test_a_bead_that_is_moved_while_time_stands_stays_on_its_wire(person: Person) -> None:
+    """It stood beside the wire until the run was played."""
+    person.window.open_level("lagrange/bead-on-a-wire")
+    person.wait()
+    session = person.session
+    wire = session.level.joints["high_wire"]
+    assert isinstance(wire, Wire)
+    x, y = where(session, "high")
+
+    lift(person, "high", (x / 2, y + 0.2))
+
+    bead = complex(*where(session, "high"))
+    assert abs(bead - complex(x, y)) > 0.3
+    assert abs(along(wire, session.values) - bead).min() < 1e-12
+    session.step()
+    assert session.failure is None
 
 
 def test_two_balls_that_are_lifted_by_hand_send_two_off_on_the_other_side(person: Person) -> None:

@@ -6,7 +6,6 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.observing import forces_on_selection
-from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.given_force_arrows import LONGEST, beside
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -42,10 +41,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         _mark(view, acting.name, start, end)
     if lines.are_close((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
-    moving = view.moving if view.few else ()
-    avoid = motion_annotations.bounding_boxes(
-        view.camera, ((each, *view.state(each)) for each in moving)
-    )
+    avoid = view.boxes if view.few else ()
     written = [
         beside(surface, view.pen, text, start, end, view.labels, color, name, avoid)
         for text, start, end, color, name in ends
