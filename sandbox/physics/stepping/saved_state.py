@@ -7,7 +7,8 @@ its content is put back into the same objects.
 
 pymunk keeps more than can be read or written: the tree of bounding boxes, whose history decides in
 which order pairs are found, and the impulses from which its solver starts. Therefore only worlds
-without shapes and without pymunk's own joints can be saved.
+without shapes, and without pymunk's own joints other than springs, can be saved: a spring's force
+follows from where its ends are.
 """
 
 from collections import deque
@@ -19,6 +20,7 @@ from sys import getsizeof
 from types import BuiltinFunctionType, CellType, FunctionType, MethodType, ModuleType
 
 import numpy as np
+import pymunk
 from pydantic import BaseModel
 
 from sandbox.physics.stepping.world import World
@@ -40,7 +42,10 @@ PART, CONTENT = 8, 100
 def can_be_saved(world: World) -> bool:
     """Return whether all that pymunk keeps of a world can be put back."""
     space = world.scene.space
-    return not space.shapes and all(joint.max_force == 0 for joint in space.constraints)
+    springs = pymunk.DampedSpring, pymunk.DampedRotarySpring
+    return not space.shapes and all(
+        isinstance(joint, springs) or joint.max_force == 0 for joint in space.constraints
+    )
 
 
 class SavedState:

@@ -51,7 +51,7 @@ def assert_the_same_bits(name: str) -> None:
     "name",
     [
         "newton/atwood", "lagrange/double-pendulum", "newton/rocket", "energy/kepler-ellipse",
-        "rotation/torsion-pendulum", "lagrange/rotating-hoop",
+        "rotation/torsion-pendulum", "lagrange/rotating-hoop", "energy/spring-pendulum",
     ],
 )  # fmt: skip
 def test_a_world_that_is_put_back_takes_the_same_steps(name: str) -> None:
@@ -81,6 +81,10 @@ def test_a_world_with_shapes_cannot_be_saved() -> None:
     """What pymunk keeps of contacts cannot be read, nor in which order it finds pairs."""
     assert not can_be_saved(world_of("hard/pyramid-of-20"))
     assert not can_be_saved(world_of("machines/wrecking-ball"))
+
+
+def test_a_world_with_springs_can_be_saved() -> None:
+    assert can_be_saved(world_of("lagrange/chain-of-springs"))
 
 
 def test_a_world_that_a_hand_pulls_cannot_be_saved() -> None:
