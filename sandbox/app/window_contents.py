@@ -13,7 +13,7 @@ from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_budget import Load
 from sandbox.app.listed_levels import LevelFiles
 from sandbox.app.malloc_tuning import give_back_gaps
-from sandbox.app.measuring.stage_mouse import StageMouse
+from sandbox.app.mouse_on_stage import StageMouse
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.worker_registry import Workers
@@ -22,8 +22,8 @@ from sandbox.app.panels.panels import Panels
 from sandbox.app.runs import runfile
 from sandbox.app.runs.crash_recovery import LeftRun, RunRecovery
 from sandbox.app.runs.remedy_search import RemedySearch
-from sandbox.app.runs.run_undo import UndoHistory
 from sandbox.app.runs.session import Session
+from sandbox.app.runs.settings_undo import UndoHistory
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import language
 from sandbox.app.words.language import later, say

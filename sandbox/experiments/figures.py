@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from sandbox.experiments.measures import Measure
 from sandbox.experiments.parameter_axes import Grid, Listed, Uniform
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.read_results import Results
 from sandbox.experiments.result_statistics import Sensitivity
 from sandbox.experiments.results_table import axis_unit, closed_form
-from sandbox.experiments.saved_results import Results
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import column_heading
 from sandbox.reporting.plot_style import COLOURS, FRAME, MARKERS, legend_below, style

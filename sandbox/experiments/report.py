@@ -6,7 +6,7 @@ from math import isfinite
 from pathlib import Path
 from typing import NamedTuple
 
-from sandbox.experiments import figures, result_statistics, saved_results
+from sandbox.experiments import figures, read_results, result_statistics
 from sandbox.experiments.experiment_folder import DESCRIPTION, RESULTS, description
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.random_points import Method
@@ -42,7 +42,7 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
     forms = [
         name(m.text) for m in plan.measures if m.of and m.check for name in (closed_form, error)
     ]
-    found = saved_results.read(path, [*plan.axes, *(m.text for m in plan.measures), *forms])
+    found = read_results.read(path, [*plan.axes, *(m.text for m in plan.measures), *forms])
     summaries = result_statistics.summaries(plan, found)
     sensitivities, remarks = _sensitivities(plan, path)
     drawn = [*figures.pictures(plan, found), *map(figures.shares, sensitivities)]

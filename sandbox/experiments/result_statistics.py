@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from sandbox.experiments import saved_results
+from sandbox.experiments import read_results
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.read_results import Results
 from sandbox.experiments.results_table import error
-from sandbox.experiments.saved_results import Results
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 
@@ -87,10 +87,10 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
     """
     names = tuple(plan.random_axes)
     texts = [measure.text for measure in plan.measures]
-    found = saved_results.read(path, texts)
+    found = read_results.read(path, texts)
     if found.runs != len(found.numbers):
         raise SandboxError(
-            "Sobol indices are computed from at most {most:,} runs", most=saved_results.MOST
+            "Sobol indices are computed from at most {most:,} runs", most=read_results.MOST
         )
     return [sensitivity(text, found.number(text), names) for text in texts]
 

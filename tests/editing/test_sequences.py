@@ -18,7 +18,7 @@ from sandbox.editing.edits import (
     joint_creation,
     mirroring,
     moving_and_aligning,
-    pendulum_angle,
+    pendulum_angle_parameter,
     resizing,
     rope_wrapping,
     slope_angle_parameter,
@@ -167,9 +167,13 @@ def tilted(text: str, hand: Hand) -> str:
 
 def swung(text: str, hand: Hand) -> str:
     hanging = [
-        name for name in hand.level.bodies if pendulum_angle.peg_of(hand.level, name) is not None
+        name
+        for name in hand.level.bodies
+        if pendulum_angle_parameter.peg_of(hand.level, name) is not None
     ]
-    return pendulum_angle.swing(text, hand.level, hand.word(hanging)) if hanging else text
+    if not hanging:
+        return text
+    return pendulum_angle_parameter.swing(text, hand.level, hand.word(hanging))
 
 
 def wrapped(text: str, hand: Hand) -> str:

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sandbox.experiments import report, result_statistics, saved_results
+from sandbox.experiments import read_results, report, result_statistics
 from sandbox.experiments.experiment_folder import RESULTS
 from sandbox.experiments.random_points import points
 from tests.experiments.making import plan, table
@@ -50,7 +50,7 @@ def test_the_distribution_of_an_outcome_is_that_of_what_is_drawn(tmp_path: Path)
     found = plan("kinematics/projectile", {"speed": "20±0.1"}, "ball.position.x@1", draws=200,
                  method="sobol", set={"angle": 60})  # fmt: skip
     table(found, tmp_path)
-    [summary] = result_statistics.summaries(found, saved_results.read(
+    [summary] = result_statistics.summaries(found, read_results.read(
         tmp_path / RESULTS, ["ball.position.x@1", "ball.position.x@1 error"]
     ))  # fmt: skip
     assert summary.mean == pytest.approx(10, abs=0.01)

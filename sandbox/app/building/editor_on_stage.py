@@ -5,12 +5,12 @@ from functools import partial
 import pygame
 
 from sandbox.app.building import editor_painting
-from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.current_tool import FIRST, Toolbox
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.fault_preview import FaultPreview
 from sandbox.app.building.live_edits import EditableRun
 from sandbox.app.building.mouse_position import MousePosition
+from sandbox.app.building.rerun_after_edit import Applying
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words.language import say

@@ -1,8 +1,8 @@
 """Switching between building the level and running it, with undo across both."""
 
-from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.current_tool import Toolbox
 from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.rerun_after_edit import Applying
 from sandbox.app.building.trial_run_history import TrialRuns
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say

@@ -10,7 +10,7 @@ from sandbox.app.building.inspected_fields import parametrise
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.checks_and_ghosts import flight, set_ghost
-from sandbox.editing.edits.pendulum_angle import peg_of, swing
+from sandbox.editing.edits.pendulum_angle_parameter import peg_of, swing
 from sandbox.editing.edits.resizing import ROUND, rounded
 from sandbox.editing.edits.slope_angle_parameter import slope_of
 from sandbox.model.level import Level

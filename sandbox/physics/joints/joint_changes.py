@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.scene_joints import Joints
 from sandbox.physics.state.kick_context import Kick
 
 

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.pulley import PulleyString
+from sandbox.physics.joints.scene_joints import Joints
 
 
 class JointForces(NamedTuple):

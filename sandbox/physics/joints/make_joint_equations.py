@@ -46,7 +46,7 @@ from sandbox.physics.joints.exact.angle_equations import (
 from sandbox.physics.joints.exact.bead_on_wire import WireEquation
 from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Equation
 from sandbox.physics.joints.exact.distance_equations import Row
-from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.scene_joints import Joints
 from sandbox.physics.state.anchor import Anchor
 
 Lengths = Rod | Rope | Pulley | Rail | Stop

@@ -44,7 +44,6 @@ from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.exact.joint_failures import refuse_too_many
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.joints.joints import Joints, Latches
 from sandbox.physics.joints.make_joint_equations import (
     JointEquations,
     Solved,
@@ -53,6 +52,7 @@ from sandbox.physics.joints.make_joint_equations import (
 )
 from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.joints.pymunk_joints import OwnJoint
+from sandbox.physics.joints.scene_joints import Joints, Latches
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.simulation_errors import JointFailure
 

@@ -8,7 +8,7 @@ import pymunk
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.space_arrays import Batch
-from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.scene_joints import Joints
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

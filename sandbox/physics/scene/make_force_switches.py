@@ -5,7 +5,7 @@ from dataclasses import replace
 from sandbox.model.level import Level
 from sandbox.model.switched_forces import switched
 from sandbox.physics.forces.force_switch import Switch, Switches
-from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.scene_joints import Joints
 
 
 def make_switches(level: Level, joints: Joints) -> Switches:

@@ -24,7 +24,7 @@ from sandbox.physics.forces.declared_laws import gravity, laws, mass_fraction_of
 from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Law, LawInputs, VelocityRotation
 from sandbox.physics.forces.variable_mass import MassFraction
-from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.scene_joints import Joints
 from sandbox.physics.scene.build_context import BuildContext, Pairs
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from sandbox.model.translatable_message import Message
 from sandbox.physics.forces.law import Law, VelocityRotation
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.joints.exact.joint_failures import SINGULAR
-from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.scene_joints import Joints
 from sandbox.physics.state.motion import Instant, Motion
 from sandbox.physics.state.simulation_errors import SimulationError
 

@@ -11,7 +11,7 @@ from sandbox.model.level import Level
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.motion import Motion
-from tests.physics.joints.test_joints import order
+from tests.physics.joints.test_scene_joints import order
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level, measured, run, worst
 
 

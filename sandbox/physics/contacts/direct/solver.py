@@ -24,13 +24,13 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
+from sandbox.physics.contacts.direct.drifts.crowded_landings import stopped
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
 from sandbox.physics.contacts.direct.drifts.drifts_with_landings import DriftCutter
 from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends
-from sandbox.physics.contacts.direct.drifts.subdrifts import CutDrift, Subdrift
+from sandbox.physics.contacts.direct.drifts.subdrift_records import CutDrift, Subdrift
 from sandbox.physics.contacts.direct.drifts.taut_ropes_and_reached_stops import Pulls, caught
-from sandbox.physics.contacts.direct.drifts.unlocated_landings import stopped
 from sandbox.physics.contacts.direct.kicks.breaking_loose import with_breakaway
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_records import KickResult, Stage

@@ -5,7 +5,7 @@ from functools import partial
 
 from sandbox.model.events import breaking_loads
 from sandbox.physics.joints.joint_changes import stick
-from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.scene_joints import Joints
 from sandbox.physics.state.kick_context import Kick, Work
 from sandbox.physics.stepping.step_plugin import Plugin, Setup
 

@@ -15,7 +15,7 @@ It is also cut where friction ends a slip (see `slip_ends`), and sticks from the
 rope that becomes taut, or a stop that is reached, is an impact and cuts it too:
 `taut_ropes_and_reached_stops`.
 
-Bodies that take no part continue as before. A crowd that lands is stopped: `unlocated_landings`.
+Bodies that take no part continue as before. A crowd that lands is stopped: `crowded_landings`.
 """
 
 from collections.abc import Sequence
@@ -25,18 +25,19 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.drifts.crowded_landings import FORESEEN, crowd, stopped
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.drifts.landing_time_refinement import until_first
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops
-from sandbox.physics.contacts.direct.drifts.subdrift_solver import SubdriftSolver
-from sandbox.physics.contacts.direct.drifts.subdrifts import (
+from sandbox.physics.contacts.direct.drifts.subdrift_records import (
     Subdrift,
     around,
     linked,
     movable,
     rows_acting_on,
 )
+from sandbox.physics.contacts.direct.drifts.subdrift_solver import SubdriftSolver
 from sandbox.physics.contacts.direct.drifts.taut_ropes_and_reached_stops import (
     catch_time,
     caught,
@@ -46,7 +47,6 @@ from sandbox.physics.contacts.direct.drifts.taut_ropes_and_reached_stops import 
     restitution,
     until_caught,
 )
-from sandbox.physics.contacts.direct.drifts.unlocated_landings import FORESEEN, crowd, stopped
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_records import Stage

@@ -13,7 +13,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import BodyMotion, Hit, Path
-from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
+from sandbox.physics.contacts.direct.drifts.subdrift_records import Subdrift
 from sandbox.physics.contacts.direct.prediction.separation_bound import spread
 from sandbox.physics.geometry.outline_distance import Outline, dot, gap
 

@@ -8,7 +8,7 @@ from sandbox.physics.contacts.direct.drifts.first_meeting import (
     MeetingFinder,
     PossibleMeetings,
 )
-from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
+from sandbox.physics.contacts.direct.drifts.subdrift_records import Subdrift
 from sandbox.physics.geometry.root_finding import SecantMethod
 
 REFINED = 6

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
+from sandbox.physics.contacts.direct.drifts.subdrift_records import Subdrift
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.root_finding import SecantMethod
 from sandbox.physics.state.simulation_errors import JointFailure, NoForces

@@ -19,7 +19,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
 from sandbox.physics.contacts.direct.drifts.landing_time_refinement import REFINED, Shortened
-from sandbox.physics.contacts.direct.drifts.subdrifts import Subdrift
+from sandbox.physics.contacts.direct.drifts.subdrift_records import Subdrift
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.geometry.root_finding import SecantMethod, root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates

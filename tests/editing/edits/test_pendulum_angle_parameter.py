@@ -6,7 +6,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_disc
 from sandbox.editing.edits.field_values import make_parameter
 from sandbox.editing.edits.joint_creation import Pick, add_joint
-from sandbox.editing.edits.pendulum_angle import peg_of, swing
+from sandbox.editing.edits.pendulum_angle_parameter import peg_of, swing
 from sandbox.editing.suggested_checks import suggestions, with_suggestion
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model.errors import SandboxError

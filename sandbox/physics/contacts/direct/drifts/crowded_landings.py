@@ -17,7 +17,7 @@ import numpy as np
 from sandbox.physics.contacts.direct.complementarity.islands import islands
 from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingImpact
-from sandbox.physics.contacts.direct.drifts.subdrifts import around, movable
+from sandbox.physics.contacts.direct.drifts.subdrift_records import around, movable
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.speculative_kicks import SolvedKick
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (

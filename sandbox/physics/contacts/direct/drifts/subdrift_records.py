@@ -64,7 +64,7 @@ class Subdrift(NamedTuple):
     flat
         See `KickResult`.
     stopped_crowds
-        Whether crowds were stopped in the drift; see `unlocated_landings`.
+        Whether crowds were stopped in the drift; see `crowded_landings`.
     """
 
     kick: Kick
