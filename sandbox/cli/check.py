@@ -103,7 +103,7 @@ def _check_start(level: Level) -> None:
 
     The engine is needed only for levels where one of these is possible.
     """
-    if bounds_the_rate(level) or level.effects.contact or level.joints:
+    if bounds_the_rate(level) or level.effects.contact or len(level.joints) > 1:
         from sandbox.physics.advising.preflight_faults import refusal
 
         if error := refusal(level, advised=True):

@@ -1,14 +1,17 @@
 """Experiments in the window: the curve shows its runs, and a click plays one of them."""
 
+import csv
 import json
 from collections.abc import Iterator
 from math import radians, sin
+from pathlib import Path
 
 import numpy as np
 import pygame
 import pytest
 
 from sandbox.app.drawing import theme
+from sandbox.app.files import save_folder
 from sandbox.app.pages.experiment.background_parameter_sweep import (
     COUNT,
     Point,
@@ -110,6 +113,27 @@ def test_a_click_runs_with_the_value_under_it_and_the_curve_stays(thrower: Perso
     assert thrower.session.values["speed"] == point.at
     thrower.wait(1.0)
     assert work.points == points
+
+
+def test_the_points_of_the_curve_are_saved_with_all_digits(
+    thrower: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(save_folder, "folder", lambda: tmp_path)
+    page, work = thrower.page(ExperimentPage), exploring(thrower)
+    assert page.save is not None
+    thrower.click(page.save.rect)
+    assert not list(tmp_path.iterdir())
+    until(thrower, lambda: len(work.points) == COUNT)
+
+    thrower.click(page.save.rect)
+
+    (path,) = tmp_path.glob("*.csv")
+    level, rest, *lines = path.read_text("utf-8").splitlines()
+    assert level.startswith("# level: ")
+    assert f"angle={thrower.session.values['angle']!r}" in rest
+    rows = list(csv.DictReader(lines))
+    assert [float(row["speed [m/s]"]) for row in rows] == [point.at for point in work.points]
+    assert [float(row[APEX]) for row in rows] == [point.measured for point in work.points]
 
 
 def test_another_value_of_what_is_not_varied_draws_the_curve_anew(thrower: Person) -> None:

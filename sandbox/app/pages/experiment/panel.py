@@ -1,23 +1,25 @@
-"""The page Experiment: a curve, and lists of parameters and measures."""
+"""The page Experiment: a curve, lists of parameters and measures, and a button that saves it."""
 
 from typing import TYPE_CHECKING
 
 import pygame
-from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
+from pygame_gui import UI_BUTTON_PRESSED, UI_SELECTION_LIST_NEW_SELECTION
 
 from sandbox.app.cards.card import heading
 from sandbox.app.pages.experiment.background_parameter_sweep import Point
 from sandbox.app.pages.experiment.card import curve, named, nearest, shown_as, span_of
 from sandbox.app.pages.experiment.parameter_curve import CurveWorker, measures
+from sandbox.app.pages.experiment.saved_curve import save
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 
 if TYPE_CHECKING:
-    from pygame_gui.elements import UISelectionList
+    from pygame_gui.elements import UIButton, UISelectionList
 
 ROW = 20  # px, of a list
+HEIGHT = 28  # px, of the button
 MOST_ROWS = 4, 8  # visible rows of the two lists
 
 
@@ -33,8 +35,13 @@ class ExperimentPage:
         self.lists: list[UISelectionList] = []
         self._titles = []
         self._rows: list[dict[str, str]] = []  # of each list: what is shown, and what is chosen
+        self.save: UIButton | None = None
+        """The button that saves the curve; None without parameters."""
         chosen = self._exploring.chosen(desk.session)
         if chosen is not None:
+            caption = say("Save as CSV")
+            place = pygame.Rect(0, 0, sheet.widest_button(caption), sheet.px(HEIGHT))
+            self.save = sheet.button(place, caption, say("save the points of the curve"))
             for title, rows, now, most in zip(
                 (say("Vary"), say("Measure")), self._offers(), chosen, MOST_ROWS, strict=True
             ):
@@ -63,11 +70,13 @@ class ExperimentPage:
         return self._field.move(self._curve.rect.topleft)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Choose a curve, describe the point under the mouse, or run a point that is clicked."""
+        """Choose or save a curve, describe the point under the mouse, or run it at a click."""
         if event.type == pygame.MOUSEMOTION:
             self._follow(event.pos)
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             return self._run(event.pos)
+        elif event.type == UI_BUTTON_PRESSED and event.ui_element is self.save:
+            return self._saved()
         elif event.type == UI_SELECTION_LIST_NEW_SELECTION and event.ui_element in self.lists:
             which = self.lists.index(event.ui_element)
             of = ("parameter", "measure")[which]
@@ -75,6 +84,13 @@ class ExperimentPage:
             self._mouse = None
             return ""
         return None
+
+    def _saved(self) -> str:
+        """Save the points so far, and return the message."""
+        chosen = self._exploring.chosen(self._session)
+        if chosen is None or not self._exploring.points:
+            return say("the curve has no points yet")
+        return say("saved {path}", path=save(self._session, chosen, self._exploring.points))
 
     def _at(self, pixel: tuple[int, int]) -> Point | None:
         """Return the point nearest to a pixel of the curve; None elsewhere."""
@@ -107,9 +123,12 @@ class ExperimentPage:
             self._show()
 
     def _show(self) -> None:
-        """Draw the curve again, and place the lists below it."""
+        """Draw the curve again, and place the button and the lists below it."""
         self._sheet.replace(self._curve, self._drawn())
         y = below(self._curve) + 8
+        if self.save is not None:
+            self.save.set_relative_position((self._sheet.margin, y))
+            y = int(self.save.relative_rect.bottom) + 8
         for title, chooser in zip(self._titles, self.lists, strict=True):
             title.set_relative_position((self._sheet.margin, y))
             chooser.set_relative_position((self._sheet.margin, below(title)))
