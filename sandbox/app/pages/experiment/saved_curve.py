@@ -17,12 +17,12 @@ def save(session: Session, choice: CurveChoice, points: Sequence[Point]) -> Path
     """Save the points as a CSV file, below the values of the other parameters."""
     unit = session.level.parameters[choice.parameter].unit
     rest = (f"{k}={v!r}" for k, v in session.values.items() if k != choice.parameter)
+    above = f"# level: {session.original.title}\n# set: {' '.join(rest)}\n"
     content = StringIO(newline="")
-    content.write(f"# level: {session.original.title}\n# set: {' '.join(rest)}\n")
     rows = csv.writer(content, lineterminator="\n")
     heading = column_heading(choice.parameter, unit)
     rows.writerow([heading, choice.measure, "closed form", "failure"])
     rows.writerows(points)
     path = path_for(session, ".csv")
-    write_atomically(path, content.getvalue())
+    write_atomically(path, above + content.getvalue())
     return path
