@@ -15,6 +15,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.forces.law import Law
+from sandbox.physics.forces.velocity_rotation import quarter_turn
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import Reading, momentum
 
@@ -67,7 +68,7 @@ class FlightForces:
         for law, wrench in zip(self._laws, wrenches, strict=False):
             law.add(motion, wrench)
         for turn, wrench in zip(self._rotations, wrenches[count:], strict=True):
-            turned = velocity[:, 1::-1] * (-1, 1)
+            turned = quarter_turn(velocity)
             wrench[:, :2] = self._inertia[:, :2] * turn.rate(motion)[:, None] * turned
         return np.asarray(wrenches - self._at_rest)
 

@@ -37,7 +37,7 @@ def turning_acceleration(rate: Array, velocity: Array, others: Array, length: fl
     """
     middle, half = velocity + others * (length / 2), rate * (length / 2)
     s, c = np.sin(half)[:, None], np.cos(half)[:, None]
-    return np.asarray(2 * s * (c * _quarter_turn(middle) - s * middle) / length)  # (R − 1) v / h
+    return np.asarray(2 * s * (c * quarter_turn(middle) - s * middle) / length)  # (R − 1) v / h
 
 
 def at_the_step(rate: Array, mean: Array, length: float) -> Array:
@@ -47,9 +47,9 @@ def at_the_step(rate: Array, mean: Array, length: float) -> Array:
 
 def rotation_change(rate: Array, mean: Array, length: float) -> Array:
     """Return the change of velocities (n, 2) by the rotation in a kick, from their means."""
-    return np.asarray(2 * np.tan(rate * (length / 2))[:, None] * _quarter_turn(mean))
+    return np.asarray(2 * np.tan(rate * (length / 2))[:, None] * quarter_turn(mean))
 
 
-def _quarter_turn(velocity: Array) -> Array:
+def quarter_turn(velocity: Array) -> Array:
     """Return velocities (n, 2) rotated by a quarter turn counter-clockwise."""
     return np.column_stack((-velocity[:, 1], velocity[:, 0]))

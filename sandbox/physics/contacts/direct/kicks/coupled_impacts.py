@@ -85,9 +85,8 @@ def approach_velocity(
     gaps close, and `catching`, (m,), which joints catch; None for those just added. `active` are
     the rows that held in the kick until there, if they are known; else see `impulses`.
     """
-    excluded = np.zeros(len(kick.response), dtype=bool)
+    excluded = _left_out(kick, strikes | kick.ahead)
     excluded[kick.layout.joints] = kick.joints.added if catching is None else catching
-    excluded[kick.layout.gaps] = strikes | kick.ahead
     impulse = impulses(kick, motion, np.zeros(len(kick.response)), excluded, active)
     return motion + impulse @ kick.response, impulse
 
@@ -199,8 +198,7 @@ class _Rebound:
         if rebounds is not None:
             closing = np.minimum(self._rates[layout.joints], 0.0)
             self.rebound_rate[layout.joints] = rebounds * closing
-        self._ahead = np.zeros(len(kick.response), dtype=bool)
-        self._ahead[layout.gaps] = kick.ahead
+        self._excluded = _left_out(kick, kick.ahead)
         if active is not None:
             on = active.on.copy()
             on[layout.gaps] |= strikes
@@ -209,7 +207,7 @@ class _Rebound:
     def impulses(self, fraction: float) -> Array:
         """Return the impulses of a share of it: (r,)."""
         rebound_rate = fraction * self.rebound_rate
-        return impulses(self._kick, self._approach, rebound_rate, self._ahead, self._guess)
+        return impulses(self._kick, self._approach, rebound_rate, self._excluded, self._guess)
 
     def admissible_impulses(self, fraction: float, rounding: float) -> Array | None:
         """Return the impulses of a share of it; None if there are none, or if they add energy.
@@ -224,6 +222,16 @@ class _Rebound:
         after = self._slip_rates + kick.rows_at_start.jacobian @ (impulse @ kick.response)
         work = float(impulse[touch] @ (self._slip_rates + after)[touch]) / 2
         return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(self._rates)) else None
+
+
+def _left_out(kick: Kick, gaps: Booleans) -> Booleans:
+    """Return the rows that take no part in an impact, (r,): those of some gaps, (k,), and more.
+
+    A contact at a pin is among them: it would contradict the pin by rounding.
+    """
+    found, excluded = without_held(kick), np.zeros(len(kick.response), dtype=bool)
+    excluded[kick.layout.gaps] = gaps | found[1] if found else gaps
+    return excluded
 
 
 def outcome(kick: Kick, velocity_after: Array, pushes: Array) -> ImpactOutcome:
@@ -253,8 +261,7 @@ def impulses(
     rate[layout.slips] += kick.belt_slip
     slack = np.zeros(len(rate), dtype=bool)
     slack[joints] = kick.slack
-    decided = without_held(kick)  # a contact at a pin would contradict it by rounding
-    asked = (decided[0] if decided else layout).problem
+    asked = layout.problem
     problem = asked._replace(free=asked.free & ~excluded, pushes=asked.pushes & ~excluded & ~slack)
     on = problem.free | (problem.pushes & (rate < 0 if active is None else active.on))
     slip = np.zeros(len(asked.friction.row), dtype=np.intp)
