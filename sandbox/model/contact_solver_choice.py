@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from sandbox.model.effects.contact import Contact
-from sandbox.model.events import breakable, cut_joints, tied_joints
+from sandbox.model.events import cut_joints, tied_joints
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import (
@@ -124,12 +124,6 @@ def has_one_sided_joints(level: Level, stepping: Stepping | None = None) -> bool
     if any(getattr(joint, "restitution", None) is None for joint in sided):
         return True
     return sum(isinstance(joint, Pulley) for joint in joints) > len(_lone_strings(level))
-
-
-def locates_rebounds(level: Level, stepping: Stepping | None = None) -> bool:
-    """Whether stops that rebound are solved together with contacts: directly, without events."""
-    direct = is_direct(level, stepping) and (stepping or level.stepping).scheme == "leapfrog"
-    return direct and not (level.events or any(breakable(level.joints)))
 
 
 def lone_strings(level: Level) -> set[str]:

@@ -5,7 +5,6 @@ that `sandbox.physics` builds from it.
 """
 
 from collections.abc import Mapping
-from itertools import chain
 from math import ceil
 from typing import Annotated, Literal, Self
 
@@ -234,10 +233,14 @@ class Level(Model):
         return self._origin.location(path) if self._origin else ".".join(map(str, path))
 
     @property
+    def changes_during_run(self) -> bool:
+        """Whether a run may change forces or joints: by an event, or as a joint breaks."""
+        return bool(self.events) or any(True for _ in breakable(self.joints))
+
+    @property
     def has_events(self) -> bool:
         """Whether anything may happen in a run: an event, a breaking joint, a rebounding stop."""
-        of_joints = chain(breakable(self.joints), rebounding_stops(self.joints))
-        return bool(self.events) or any(True for _ in of_joints)
+        return self.changes_during_run or any(True for _ in rebounding_stops(self.joints))
 
     @property
     def defaults(self) -> Values:

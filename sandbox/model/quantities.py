@@ -292,11 +292,8 @@ def _owner(subject: str, level: Level) -> Owner | None:
 
 
 def _owners(level: Level) -> dict[str, Owner]:
-    return {
-        **dict.fromkeys(level.bodies, "body"),
-        **dict.fromkeys(level.joints, "joint"),
-        "system": "system",
-    }
+    subjects = *level.bodies, *level.joints, "system"
+    return {subject: owner for subject in subjects if (owner := _owner(subject, level))}
 
 
 def _of_accounts(level: Level) -> Iterator[Quantity]:

@@ -7,7 +7,7 @@ parameter may be zero at times; remarks are about those that are zero for all pa
 from collections.abc import Iterator
 from contextlib import suppress
 
-from sandbox.model.contact_solver_choice import is_direct, locates_rebounds
+from sandbox.model.contact_solver_choice import is_direct
 from sandbox.model.events import rebounding_stops
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.functions_of_one_variable import Formula
@@ -20,7 +20,7 @@ from sandbox.model.translatable_message import Message
 def remarks(level: Level) -> Iterator[Fault]:
     """Yield effects without strength, checks that never apply, and stops that are less exact."""
     yield from _without_strength(level)
-    if level.stepping.scheme == "leapfrog" and is_direct(level) and not locates_rebounds(level):
+    if level.changes_during_run and level.stepping.scheme == "leapfrog" and is_direct(level):
         for name, _ in rebounding_stops(level.joints):
             rule = Message(
                 "'{name}' rebounds less exactly where bodies land in the same step, since the"

@@ -10,7 +10,6 @@ unless events have switched forces or cut joints, so runs with events have no ke
 from time import thread_time
 from typing import NamedTuple
 
-from sandbox.model.events import breakable
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.stepping.saved_state import SavedState, can_be_saved
 from sandbox.physics.stepping.world import World
@@ -40,8 +39,7 @@ class Keyframes:
     """The keyframes of a run in one world, in the order of their steps."""
 
     def __init__(self, world: World) -> None:
-        self._world, level = world, world.level
-        self._has_events = bool(level.events or any(breakable(level.joints)))
+        self._world = world
         self._kept: list[Keyframe] = []
         self._spacing, self._due, self._spent = SPACING, SPACING, 0.0  # s
 
@@ -77,7 +75,7 @@ class Keyframes:
         return found if found and self._can_be_saved() else None
 
     def _can_be_saved(self) -> bool:
-        return not self._has_events and can_be_saved(self._world)
+        return not self._world.level.changes_during_run and can_be_saved(self._world)
 
     def forget_after(self, step: int) -> None:
         """Remove the keyframes after a step, from which the run takes another course."""

@@ -11,11 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pymunk
 
-from sandbox.model.contact_solver_choice import (
-    has_one_sided_joints,
-    is_direct,
-    locates_rebounds,
-)
+from sandbox.model.contact_solver_choice import has_one_sided_joints, is_direct
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.pymunk_bodies import make_body
@@ -204,7 +200,7 @@ def _make_joints(
     space = next(iter(bodies.values())).space
     assert space
     touches, direct = touches_of(space, level), is_direct(level, stepping)
-    bounces = locates_rebounds(level, stepping)
+    bounces = direct and stepping.scheme == "leapfrog" and not level.changes_during_run
     made = bodies, batch, inverse_mass, touches
     joints = assemble(level, values, *made, direct=direct, bounces=bounces)
     if contact:
