@@ -19,12 +19,12 @@ from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.energy.taut_rope_jerks import reached_by_jerk
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
-from sandbox.physics.forces.law import Law, VelocityRotation, exert
+from sandbox.physics.forces.law import Law, exert
 from sandbox.physics.forces.spring import damps
-from sandbox.physics.forces.velocity_rotation import rotation_change
+from sandbox.physics.forces.velocity_rotation import mean_acceleration, rotation_rates
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_forces import JointForces
-from sandbox.physics.state.motion import Instant
+from sandbox.physics.state.motion import Instant, Reading
 
 if TYPE_CHECKING:
     from sandbox.physics.events.joint_impacts import Jolt
@@ -71,10 +71,7 @@ class Attribution:
         """
         remaining = kick.inertia * change
         remaining -= sum((self.book_law(law, kick) for law in self._laws), np.zeros_like(remaining))
-        remaining -= sum(
-            (self._book_rotation(turn, kick) for turn in self._scene.rotations),
-            np.zeros_like(remaining),
-        )
+        remaining -= self._book_rotations(kick)
         impulses, works = self._book_joints(kick, joint_forces)
         remaining -= impulses
         jump_impulse = self._book_sequential_impacts(step, kick)
@@ -128,12 +125,23 @@ class Attribution:
             self._entries.losses["damping"] += kick.work(full_impulse - elastic)
         return impulse
 
-    def _book_rotation(self, turn: VelocityRotation, kick: KickRecord) -> Array:
-        """Book the impulse of forces that turn velocities, which do no work; return it: (n, 3)."""
+    def _book_rotations(self, kick: KickRecord) -> Array:
+        """Book the impulses of forces that turn velocities, which do no work; return their sum.
+
+        It is (n, 3). Each force has the share of its rate.
+        """
         impulse = np.zeros_like(self._mass)
-        change = rotation_change(turn.rate(kick.law_motion), kick.mean_velocity[:, :2], kick.length)
-        impulse[:, :2] = kick.inertia[:, :2] * change
-        self._entries.add_impulse(turn.effect.name, impulse, kick.positions)
+        if kick.turning_acceleration is None:
+            return impulse
+        turns, acceleration = self._scene.rotations, kick.turning_acceleration
+        if isinstance(kick.law_motion, Reading):
+            acceleration = acceleration + mean_acceleration(turns, kick.law_motion.path)
+        impulse[:, :2] = kick.inertia[:, :2] * acceleration * kick.length
+        whole = rotation_rates(turns, kick.law_motion)
+        for turn in turns:
+            rate = turn.rate(kick.law_motion)
+            share = np.divide(rate, whole, out=np.zeros_like(whole), where=whole != 0)
+            self._entries.add_impulse(turn.effect.name, impulse * share[:, None], kick.positions)
         return impulse
 
     def _impulse(self, law: Law, kick: KickRecord) -> Array:

@@ -9,7 +9,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.impacts.contact_work import KickRecord
 from sandbox.physics.energy.energy_and_momentum import velocity_of
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.state.motion import Instant, Motion
+from sandbox.physics.state.motion import Instant
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
@@ -31,7 +31,7 @@ class InnerKick(NamedTuple):
 
 
 def kicks_within(
-    divided: "DividedDrift", start: Instant, law_motion: Motion, inertia: Callable[[float], Array]
+    divided: "DividedDrift", start: Instant, last: KickRecord, inertia: Callable[[float], Array]
 ) -> Iterator[InnerKick]:
     """Yield the kicks between the parts of a drift; there is at least one.
 
@@ -41,17 +41,15 @@ def kicks_within(
     in parts. The kick after it is booked as a whole one, although it begins in the middle of a
     part; the excess is taken back before it.
 
-    `start` is the motion in the middle of the first part, and `law_motion` the motion that the laws
-    saw in the kick before it. `inertia` returns masses, masses and moments at a time [s]: (n, 3)
-    [kg, kg m²].
+    `start` is the motion in the middle of the first part, and `last` is the kick before it.
+    `inertia` returns masses, masses and moments at a time [s]: (n, 3) [kg, kg m²].
     """
     t, velocity_before = float(start.t), np.column_stack((start.velocity, start.angular_velocity))
 
     def kick(t: float, duration: float, pose: Array, velocity_after: Array) -> KickRecord:
         kicked = np.where(divided.reached[:, None], inertia(t), 0.0)
-        return KickRecord(
-            t, duration, law_motion, pose[:, :2], (velocity_before + velocity_after) / 2, kicked
-        )
+        part = last.part(duration, (velocity_before + velocity_after) / 2, first=False)
+        return part._replace(t=t, positions=pose[:, :2], inertia=kicked)
 
     for pose, jacobian, (
         duration,

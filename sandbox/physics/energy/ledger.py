@@ -37,7 +37,7 @@ from sandbox.physics.events.joint_cuts_and_force_switches import EventEntries
 from sandbox.physics.events.slip_phases import SlipEntries
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.joint_forces import pulls_of
-from sandbox.physics.state.motion import Instant, Motion
+from sandbox.physics.state.motion import Instant
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
@@ -82,7 +82,9 @@ class Ledger:
         energy = mechanics.kinetic(start) + sum(mechanics.potential_by_account(start).values())
         self._start = energy, self._mechanics.momentum(start)
         self._end = start
-        self._law_motion: Motion = self._step.law_motion or start  # by the laws in the last kick
+        step, motion = self._step, (start.position, self._velocity, scene.inertia)
+        seen = step.law_motion or start, *motion, step.turning_acceleration
+        self._last_kick = KickRecord(float(start.t), step.dt, *seen)
 
     def note(self) -> None:
         """Book the world's last step, unless it is booked already.
@@ -106,9 +108,8 @@ class Ledger:
         after = self._coming_velocity()
         t = step.t if step.law_motion is None else float(step.law_motion.t)
         law_motion = step.law_motion or self._motion_at(0.0, before)
-        moment = KickRecord(
-            t, step.dt, law_motion, step.snapshot.position, before, self._mechanics.inertia(t)
-        )
+        motion = step.snapshot.position, before, self._mechanics.inertia(t)
+        moment = KickRecord(t, step.dt, law_motion, *motion, step.turning_acceleration)
         self._book_matter_flows(t, before, after)
         forces = pulls_of(self._scene.joints, len(self._scene.inertia))
         slack, start = forces.slack_before(*self._joint_forces), before
@@ -117,7 +118,7 @@ class Ledger:
             duration, end, tension, contacts = stage
             if number or not step.divided_drift:
                 self._attribution.begin()
-            kick = moment._replace(length=duration, mean_velocity=(start + end) / 2)
+            kick = moment.part(duration, (start + end) / 2, first=not number)
             joint_forces = forces._replace(tension=tension)
             self._attribution.book(
                 step, kick, end - start, joint_forces, contacts, None if stuck else slack
@@ -125,7 +126,7 @@ class Ledger:
             start, slack = end, slack | (tension <= 0)
         self._joint_forces = forces, self._joint_forces[0]
         self._velocity, self._end = after, self._motion_at(0.5 * self._first_share(), after)
-        self._law_motion, self._was_slack = law_motion, slack
+        self._last_kick, self._was_slack = moment, slack
 
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
         """Return the parts of the last kick, with impulses in place of forces."""
@@ -235,7 +236,7 @@ class Ledger:
         Its first kick may belong to the whole kick before it, and takes back the excess of that;
         its last kick belongs to the whole kick after it, for the same reason.
         """
-        kicks = kicks_within(divided, self._end, self._law_motion, self._mechanics.inertia)
+        kicks = kicks_within(divided, self._end, self._last_kick, self._mechanics.inertia)
         for number, (kick, change, impulses, jacobian, contacts) in enumerate(kicks):
             if number or kick.length >= 0:
                 self._attribution.begin()

@@ -45,12 +45,17 @@ class Law(Protocol):
 
 def exert(law: Law, motion: Motion, wrench: Array) -> None:
     """Add what a law does in a kick in which it sees a motion, and its `path` if it has one."""
-    if not (isinstance(motion, Reading) and motion.path and law.effect.depends_on_velocity):
-        law.add(motion, wrench)
+    law.add(motion, wrench)
+    if isinstance(motion, Reading) and motion.path:
+        make_up(law, motion, wrench)
+
+
+def make_up(law: Law, motion: Reading, wrench: Array) -> None:
+    """Add what a law makes up for along the path of a motion."""
+    if not law.effect.depends_on_velocity:
         return
     now = np.zeros_like(wrench)
     law.add(motion, now)
-    wrench += now
     for weight, other in motion.path:
         then = np.zeros_like(wrench)
         law.add(other, then)

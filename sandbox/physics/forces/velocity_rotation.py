@@ -12,6 +12,9 @@ circle is too large by a fraction of (ω h)² / 24: second order, like leapfrog 
 At a step, half-way through the kick, the velocity is (v₋ + v₊) / (2 cos(ω h / 2)), as v₋ + v₊ is
 the chord of an arc. The impulse is v₊ − v₋ − a h = 2 tan(ω h / 2) J (v₋ + v₊)/2, where J is the
 quarter turn. It is perpendicular to the mean velocity, so its work is exactly zero.
+
+Where impacts change velocities at once, the mean of ω J v along the path is made up for in the next
+kick, as that of all forces that depend on velocities; then the work is zero to second order.
 """
 
 from collections.abc import Sequence
@@ -45,9 +48,18 @@ def at_the_step(rate: Array, mean: Array, length: float) -> Array:
     return np.asarray(mean / np.cos(rate * (length / 2))[:, None])
 
 
-def rotation_change(rate: Array, mean: Array, length: float) -> Array:
-    """Return the change of velocities (n, 2) by the rotation in a kick, from their means."""
-    return np.asarray(2 * np.tan(rate * (length / 2))[:, None] * quarter_turn(mean))
+def mean_acceleration(
+    turns: Sequence[VelocityRotation], path: Sequence[tuple[float, Motion]]
+) -> Array | float:
+    """Return the mean acceleration by the rotation in motions with weights: (n, 2) [m/s²].
+
+    Without motions it is 0.
+    """
+    parts = (
+        weight * rotation_rates(turns, motion)[:, None] * quarter_turn(motion.velocity)
+        for weight, motion in path
+    )
+    return sum(parts, 0.0)
 
 
 def quarter_turn(velocity: Array) -> Array:

@@ -34,6 +34,7 @@ from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.forces.declared_laws import laws_by_entry
 from sandbox.physics.forces.law import Law, LawInputs, exert
+from sandbox.physics.forces.velocity_rotation import mean_acceleration
 from sandbox.physics.joints.joint_forces import pulls_on
 from sandbox.physics.measuring.contact_forces import (
     ContactForce,
@@ -43,7 +44,7 @@ from sandbox.physics.measuring.contact_forces import (
 )
 from sandbox.physics.measuring.free_body import HAND, IMPACT, AppliedForce, FreeBody
 from sandbox.physics.state.anchor import Anchor
-from sandbox.physics.state.motion import Instant, Motion
+from sandbox.physics.state.motion import Instant, Motion, Reading
 from sandbox.physics.stepping.world import World
 
 
@@ -127,6 +128,8 @@ class FreeBodies:
             own_name = getattr(entry, "name", None) or ""
             yield self._by_law(kick, law, arm)._replace(by=own_name)
         if (turning := kick.step.turning_acceleration) is not None:
+            if isinstance(kick.law_motion, Reading):
+                turning = turning + mean_acceleration(scene.rotations, kick.law_motion.path)
             x, y = (kick.mass * turning[row]).tolist()
             name = ", ".join(turn.effect.shown_force_name for turn in scene.rotations)
             yield AppliedForce(name, "", (x, y), center)

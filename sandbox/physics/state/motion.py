@@ -60,8 +60,8 @@ class Reading:
 
     `state`, (n, 6), has x, y, angle, and their rates of change [m, rad, m/s, rad/s] at a time
     t [s]. `path` are motions with other velocities, and their weights, which add up to 0. They
-    say what forces that depend on velocities did differently in a drift with landings; the kick
-    after it makes up for that.
+    say what forces that depend on velocities did differently where impacts changed these since the
+    last kick; this kick makes up for that at its beginning.
     """
 
     __slots__ = ("path", "state", "t")
@@ -69,6 +69,13 @@ class Reading:
     def __init__(self, t: Array, state: Array) -> None:
         self.t, self.state = t, state
         self.path: tuple[tuple[float, Reading], ...] = ()
+
+    def weighted(self, factor: float) -> "Reading":
+        """Return it with the weights of its path multiplied by a factor; 0 leaves no path."""
+        reading = Reading(self.t, self.state)
+        if factor:
+            reading.path = tuple((factor * weight, motion) for weight, motion in self.path)
+        return reading
 
     @property
     def position(self) -> Array:

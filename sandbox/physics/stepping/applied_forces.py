@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Integers
-from sandbox.physics.forces.law import exert
+from sandbox.physics.forces.law import make_up
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick_context import Kick
@@ -16,6 +16,7 @@ from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
+    from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
     from sandbox.physics.engine.grab_spring import Hand
     from sandbox.physics.joints.exact.shake import ExactJoints
 
@@ -52,6 +53,8 @@ class Forces:
         self.turning_rates: Array | None = None
         self.turning_acceleration: Array | None = None
         self.law_motion: Reading | None = None
+        self._struck: ImpactOutcome | None = None  # the impacts in the last kick
+        self._made_up: Array | None = None  # (n, 3), the mean force that makes up for a path
 
     @property
     def acts(self) -> bool:
@@ -89,15 +92,21 @@ class Forces:
         if self._extrapolates:
             self._previous_velocity = self._previous_velocity + jump
 
+    def strike(self, impacts: "ImpactOutcome") -> None:
+        """Note the impacts in the last kick, so that the next one makes up for them."""
+        if self._extrapolates and np.count_nonzero(impacts.struck):
+            self.shift(impacts.jump)
+            self._struck = impacts
+
     @contextmanager
     def trial(self) -> Iterator[None]:
         """Restore the state of the last kick after trial kicks."""
-        saved = self._previous_velocity, self.law_motion, self._wrench
+        saved = self._previous_velocity, self.law_motion, self._wrench, self._struck
         self._wrench = self._wrench.copy()
         try:
             yield
         finally:
-            self._previous_velocity, self.law_motion, self._wrench = saved
+            self._previous_velocity, self.law_motion, self._wrench, self._struck = saved
 
     def acceleration_with_hand(self, dt: float) -> Array:
         """Return the accelerations in a kick of a length [s], including the hand's: (n, 3)."""
@@ -105,25 +114,50 @@ class Forces:
             return self.law_acceleration
         return self.law_acceleration + self.hand.pull(self._batch.velocity(), self._inverse, dt)
 
+    def made_up(self, length: float) -> Array | None:
+        """Return the changes of velocities at the beginning of the last kick, (n, 3) [m/s, rad/s].
+
+        They make up for what forces did differently before it, see `Reading.path`; None if there is
+        nothing to make up for. `length` is the length of the kick [s].
+        """
+        return None if self._made_up is None else self._made_up * self._inverse_mass * length
+
     def apply(self, kick: Kick) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
         constraint_change = self._constraint_change(kick) if self._turns else None
-        last, self.law_motion = self.law_motion, self._read(kick)
-        reading = self.law_motion
-        if last and kick.start is None and (landed := self._landed):
-            reading.path = _path(landed, last, reading, kick.clock.dt)
+        last, struck, self._struck = self.law_motion, self._struck, None
+        self.law_motion = reading = self._read(kick)
+        if last and kick.start is None and (struck or self._landed):
+            from sandbox.physics.stepping.forces_across_impacts import weighted_motions
+
+            dt = kick.clock.dt
+            reading.path = weighted_motions(last, reading, dt, struck, self._landed)
         if self._mass_flows:
             self._set_masses(self._mass_flows, reading.t)
         wrench = self._wrench
         wrench.fill(0.0)
         for law in self._laws:
-            exert(law, reading, wrench)
+            law.add(reading, wrench)
+        self._made_up = self._made_up_wrench(reading) if reading.path else None
         if constraint_change is not None:
             self._add_rotation(reading, wrench, constraint_change, kick.length)
+        if self._made_up is not None:
+            wrench = wrench + self._made_up
         if self._warm_started:
             wrench = wrench.copy()
             self._warm_started.warm_start(wrench)
         self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
+
+    def _made_up_wrench(self, reading: Reading) -> Array:
+        """Return the mean force in a kick that makes up for the path of a motion: (n, 3)."""
+        wrench = np.zeros_like(self._wrench)
+        for law in self._laws:
+            make_up(law, reading, wrench)
+        if self._turns:
+            from sandbox.physics.forces.velocity_rotation import mean_acceleration
+
+            wrench[:, :2] += self._mass[:, None] * mean_acceleration(self._turns, reading.path)
+        return wrench
 
     def _constraint_change(self, kick: Kick) -> Array:
         """Return the change of velocities by joints and contacts in the last kick: (n, 2) [m/s].
@@ -132,9 +166,13 @@ class Forces:
         """
         if not self._extrapolates or kick.start is not None or kick.length != kick.clock.dt:
             return np.zeros_like(self._base_acceleration[:, :2])
-        return (
-            self._batch.velocity() - self._previous_velocity - self.law_acceleration * kick.length
-        )[:, :2]
+        if self._direct and self._landed:
+            change = self._direct.expected_change
+        else:
+            change = self._batch.velocity() - self._previous_velocity
+            if (made_up := self.made_up(kick.length)) is not None:
+                change -= made_up
+        return (change - self.law_acceleration * kick.length)[:, :2]
 
     def _add_rotation(
         self, reading: Reading, wrench: Array, constraint_change: Array, length: float
@@ -145,6 +183,8 @@ class Forces:
         self.turning_rates = rotation_rates(self._turns, reading)
         velocity = self._previous_velocity[:, :2] if self._extrapolates else reading.velocity
         inverse_mass = self._inverse_mass[:, :2]
+        if (made_up := self.made_up(length)) is not None:
+            velocity = velocity + made_up[:, :2]
         others = (
             self._base_acceleration[:, :2]
             + wrench[:, :2] * inverse_mass
@@ -195,34 +235,3 @@ class Forces:
         self._inverse_mass = self._inverse / fraction[:, None]
         if self._together:
             self._together.set_inverse(self._inverse_mass)
-
-
-def _path(
-    landed: "DividedDrift", last: Reading, reading: Reading, dt: float
-) -> tuple[tuple[float, Reading], ...]:
-    """Return the motions in a drift of dt [s] with landings, and their weights in the next kick.
-
-    The kick before it took the forces at the velocities of `last` up to its middle, and the kick
-    after it takes those of `reading` from there on. The mean along the path, by the trapezoidal
-    rule, is to replace that. All motions are at the place and time of `reading`, so the weights
-    cancel for whatever does not depend on velocities. A body without a landing has the velocity of
-    `reading` in all of them.
-    """
-
-    def at(velocity: Array) -> Reading:
-        state = reading.state.copy()
-        state[:, 3:] = np.where(landed.reached[:, None], velocity, state[:, 3:])
-        return Reading(reading.t, state)
-
-    t = landed.first_fraction * dt / 2
-    nodes = [(0.0, at(last.state[:, 3:]))]
-    if landed.first_fraction < 1:
-        nodes.append((t, at(landed.stages_before[-1].velocity)))
-    for _, _, stage in landed.kicks_between[:-1]:
-        t += stage.duration
-        nodes.append((t, at(stage.velocity)))
-    nodes.append((dt, at(reading.state[:, 3:])))
-    times = np.array([time for time, _ in nodes])
-    weights = np.convolve(np.diff(times), (0.5, 0.5)) / dt
-    weights[[0, -1]] -= 0.5
-    return tuple(zip(weights.tolist(), [node for _, node in nodes], strict=True))

@@ -36,7 +36,8 @@ def _half_kick(setup: Setup, plugins: Plugins, observer: Observer, velocity: Arr
         post_kick_velocity, direct = kicks.begin(duration, velocity), scene.direct
         if direct and direct.drifts.post_kick_velocity is not None:
             post_kick_velocity = direct.drifts.post_kick_velocity
-        pre_kick_velocity = velocity + scene.sequence.last.jump if scene.sequence else velocity
+        impacts = scene.sequence or direct
+        pre_kick_velocity = velocity + impacts.last.jump if impacts else velocity
         acceleration = (post_kick_velocity - pre_kick_velocity) / duration
         for started in plugins.started:
             if (refined := started(pre_kick_velocity, acceleration)) is not None:

@@ -58,6 +58,7 @@ class DirectSolver:
 
     `last` are the impacts of the last kick, with the impulses of landings in the drift before it;
     `stages` are its stages, if it had impacts, else empty. `drifts` are those before and after it.
+    `expected_change`, (n, 3), is how velocities will change in a step without impacts [m/s, rad/s].
     """
 
     def __init__(
@@ -71,21 +72,20 @@ class DirectSolver:
     ) -> None:
         self._batch, self._joints, self._dt = batch, joints, dt
         self._movable: Booleans = inertia[:, 0] > 0
-        self._fixed, self._none = np.flatnonzero(~self._movable), np.zeros(len(inertia), dtype=bool)
+        self._fixed, self._none = np.flatnonzero(~self._movable), np.zeros_like(self._movable)
         self._meets = any(body.shapes for body in query.bodies)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._indices = coordinate_indices(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
-        self._pre_kick = self._acceleration = self._change = self._calm.jump
+        self._pre_kick = self._acceleration = self.expected_change = self._calm.jump
         self._lead, self._until, self._starts = 0.0, 0.0, True  # until the drift ends [s]
         self._warm, self._pulls = WarmStart(), Pulls()
         self._crowd: Booleans | None = None  # the one that was stopped in this kick
         self._build = KickBuilder(batch, joints, surfaces, self._movable, query, self._warm)
         self._speculative = SpeculativeContacts(query, surfaces, self._movable)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
-        self.last = self._calm
+        self.last, self.drifts = self._calm, Drifts(len(inertia))
         self.stages: tuple[Stage, ...] = ()
-        self.drifts = Drifts(len(inertia))
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
         self._taken: KickResult | None = None  # the kick now, if contacts were solved in it
 
@@ -97,17 +97,18 @@ class DirectSolver:
             self._build.contacts, self._pushed = kick.contacts_with(total), None
         return self._build.contacts
 
-    def begin(self, acceleration: Array, *, start: bool) -> None:
+    def begin(self, acceleration: Array, made_up: Array | None = None, *, start: bool) -> None:
         """Record the velocities before a kick, and the accelerations in it.
 
-        `acceleration`, (n, 3), is by gravity and force laws [m/s², rad/s²]; `start` tells whether
-        this is the first kick, which begins at its step.
+        `acceleration`, (n, 3), is by gravity and force laws [m/s², rad/s²]; `made_up`, (n, 3), is
+        added to the velocities first [m/s, rad/s]. The first kick `start`s at its step.
         """
         if start and self._starts:  # it is repeated, and its crowd is known
             self.drifts.forget()
         else:
             self._build.corrects, self._crowd = True, None
-        self._pre_kick, self._acceleration, self._starts = self.velocity(), acceleration, start
+        self._pre_kick = self.velocity() if made_up is None else self.velocity() + made_up
+        self._acceleration, self._starts = acceleration, start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 
     def velocity(self) -> Array:
@@ -123,8 +124,8 @@ class DirectSolver:
         """
         if self._meets:
             self._build.find_contacts(lambda: np.abs(self._pre_kick) * self._dt)
-        self._pushed, self._until, self._taken = None, until, None
-        self.last, self.stages = self._calm, ()
+        self._pushed = self._taken = None
+        self._until, self.last, self.stages = until, self._calm, ()
         self.drifts.begin(self._build.contacts)
         self._build.set_course(until)
         self._joints.check()
@@ -136,7 +137,7 @@ class DirectSolver:
             self._solve_joints(until)
         self._pulls.note(self._joints)
         landed = None if self.drifts.drift_after else self._land(until)
-        if self._meets:
+        if self._meets or self.drifts.drift_after:
             self._note_change(landed)
         if np.count_nonzero(pushed := self.drifts.landings.body_impulse):
             self.last = self.last._replace(impulse=pushed)
@@ -147,13 +148,12 @@ class DirectSolver:
         after = divided.post_kick_velocity if divided else self._batch.velocity()
         if landed:
             after = landed.whole.velocity[self._indices]
-        self._change = (after - self._pre_kick) * (self._dt / self._joints.kick)
+        change = (after - self._pre_kick) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
-            struck = self.last.struck[:, None]
-            self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
+            change = np.where(self.last.struck[:, None], 2 * (after - self.last.velocity), change)
         if landed:
-            velocity_change = landed.end_acceleration * self._dt
-            self._change = np.where(landed.reached[:, None], velocity_change, self._change)
+            change[landed.reached] = (landed.end_acceleration * self._dt)[landed.reached]
+        self.expected_change = change
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
@@ -179,7 +179,7 @@ class DirectSolver:
         """Forget the last kick and the drift after it."""
         self._warm.forget()
         self.drifts.forget()
-        self._change, self._crowd = self._calm.jump, None
+        self.expected_change, self._crowd = self._calm.jump, None
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints without contacts; if ropes fail in this way, solve them as contacts are."""
@@ -274,8 +274,7 @@ class DirectSolver:
         if not (lands or pulls or (taken and taken.slides)):
             return None
         whole, (laws,) = self._whole_drift(pose, motion.values), self._spread(self._acceleration)
-        catches = pulls and caught(whole, laws).any()
-        if not (lands or catches or len(slip_ends(whole, laws))):
+        if not (lands or (pulls and caught(whole, laws).any()) or len(slip_ends(whole, laws))):
             return None
         driven, calm = self._driven(), self._none if stopped is None else stopped
         if stopped is None and self._crowd is not None:
@@ -312,14 +311,15 @@ class DirectSolver:
         dt, joints = self._dt, self._joints
         if self._taken:
             return Subdrift.whole_drift(self._taken, dt, velocity)
-        begun, taut = self._spread(self._pre_kick)[0], joints.expected()[1]
-        active = Active(taut, np.zeros(0, dtype=np.intp))
+        begun = self._spread(self._pre_kick)[0]
+        active = Active(joints.expected()[1], np.zeros(0, dtype=np.intp))
         duration, kick = joints.kick, self._build.at(pose)
         return Subdrift(kick, dt, dt, begun, duration, joints.tension, active, velocity)
 
     def _beginning(self) -> KickStart:
         """Return the state and the forces at the beginning of this kick."""
-        velocity, acts, change = self._spread(self._pre_kick, self._acceleration, self._change)
+        rates = self._pre_kick, self._acceleration, self.expected_change
+        velocity, acts, change = self._spread(*rates)
         return KickStart(velocity, acts, change, self._lead, self._dt, self._driven())
 
     def _spread(self, *rates: Array) -> Array:

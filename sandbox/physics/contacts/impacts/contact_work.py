@@ -7,7 +7,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.impacts.contact_kinematics import point_velocity
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.state.motion import Motion
+from sandbox.physics.state.motion import Motion, Reading
 
 
 class KickRecord(NamedTuple):
@@ -16,7 +16,8 @@ class KickRecord(NamedTuple):
     `t` and `length` are its time and length [s], and `law_motion` is the motion that the force laws
     see in it. `positions`, (n, 2), are the positions of the bodies [m], `mean_velocity`, (n, 3), is
     the mean of their velocities before and after [m/s, rad/s], and `inertia`, (n, 3), has their
-    masses, masses and moments; 0 for immovable bodies [kg, kg m²].
+    masses, masses and moments; 0 for immovable bodies [kg, kg m²]. `turning_acceleration`, (n, 2),
+    is by forces that turn velocities [m/s²]; None without such forces.
     """
 
     t: float
@@ -25,6 +26,14 @@ class KickRecord(NamedTuple):
     positions: Array
     mean_velocity: Array
     inertia: Array
+    turning_acceleration: Array | None = None
+
+    def part(self, length: float, mean_velocity: Array, *, first: bool) -> "KickRecord":
+        """Return a part of it; whatever the kick makes up for belongs to the `first`."""
+        motion = self.law_motion
+        if isinstance(motion, Reading) and motion.path:
+            motion = motion.weighted(self.length / length if first else 0.0)
+        return self._replace(length=length, mean_velocity=mean_velocity, law_motion=motion)
 
     def work(self, impulse: Array) -> float:
         """Return the work of impulses: (n, 3) [J]."""

@@ -12,10 +12,12 @@ def make(setup: Setup) -> Plugin:
     assert direct
 
     def begin(kick: Kick) -> None:
-        direct.begin(forces.acceleration_with_hand(dt), start=kick.at_step)
+        made_up = forces.made_up(kick.length)
+        direct.begin(forces.acceleration_with_hand(dt), made_up, start=kick.at_step)
 
     def solve(kick: Kick) -> None:
         direct.solve(kick.until)
+        forces.strike(direct.last)
 
     def refit(_t: float) -> None:
         direct.forget()
