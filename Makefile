@@ -98,7 +98,7 @@ docs: $(FOR_RUN) ## write anew what is generated: JSON Schemas, the reference, t
 	$(PY) -m sandbox.model.schema
 	$(PY) -m sandbox.experiments.schema
 	$(PY) -m sandbox.cli.reference
-	$(PY) -m validation.chapter
+	$(PY) -m validation.textbook_coverage
 
 pictures: $(FOR_TEST) ## draw the pictures of the README anew, from the window as it is now
 	$(HEADLESS) $(PY) docs/pictures.py

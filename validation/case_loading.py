@@ -29,24 +29,24 @@ from sandbox.model.level_parts import names_in
 from sandbox.model.quantities import quantity
 from validation.case import FOURTH_ORDER, SECOND_ORDER, Case, Parameters, ends, textbook
 from validation.formulas import (
-    chapter_code,
+    assorted_mechanics_problems,
     energy,
     kinematics,
     leapfrog_error,
-    machines,
     mechanisms,
     momentum,
-    newton,
+    newtons_laws,
     oscillators,
     pulleys,
     rotation,
+    textbook_code,
 )
 
 FOLDER = Path(__file__).parent / "cases"
 
 MODULES = (
-    chapter_code, energy, kinematics, oscillators, leapfrog_error, machines, mechanisms, momentum,
-    newton, pulleys, rotation,
+    assorted_mechanics_problems, energy, kinematics, leapfrog_error, mechanisms, momentum,
+    newtons_laws, oscillators, pulleys, rotation, textbook_code,
 )  # fmt: skip
 
 NAMES: Mapping[str, object] = {

@@ -16,7 +16,7 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import check_writable
 from sandbox.optional_packages import needed_for
-from validation import output, suite
+from validation import case_suite, output
 from validation.case import Case
 from validation.cases import all_cases
 
@@ -86,10 +86,12 @@ def run(
     Exit status 1 if a case misses its bound, or if stock pymunk meets one that it should miss.
     """
     cases = of_levels(levels or [])
-    outcomes = suite.outcomes(cases, jobs)
+    outcomes = case_suite.outcomes(cases, jobs)
     with output.written(output.content(cases=outcomes), json_file):
-        output.show(suite.table(cases, outcomes))
-    failed = [suite.named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
+        output.show(case_suite.table(cases, outcomes))
+    failed = [
+        case_suite.named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed
+    ]
     output.complain(failed)
     typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
     return not failed
@@ -131,8 +133,8 @@ def compose(
     Exit status 1 if a test fails. A scene that is refused with a reason is not a failure.
     """
     with needed_for("a judgement of compositions"):
-        from validation.compose.command import measure
-        from validation.compose.seeded_scenes import seeds
+        from validation.random_compositions.command import measure
+        from validation.random_compositions.seeded_scenes import seeds
     return measure(scenes or seeds(seed, count), json_file, output, jobs)
 
 
@@ -153,7 +155,7 @@ def cost(
 
     Exit status 1 if a level does not run at its own rate.
     """
-    from validation.cost.command import measure
+    from validation.cost_of_accuracy.command import measure
 
     return not measure(levels or [], json_file, output, quick=quick)
 
@@ -190,7 +192,7 @@ def pace(
     The share is given for this core at this moment, and for a reference core: a slow one that is
     idle. Exit status 1 if a level needs more than half of the reference core.
     """
-    from validation.step_pace import measure
+    from validation.step_processor_time import measure
 
     return not measure(levels or [], json_file)
 
@@ -203,7 +205,7 @@ def effects(
     ] = False,
 ) -> None:
     """Measure the cost of each level beside the bare engine, and of each effect on many bodies."""
-    from validation.effects.command import measure
+    from validation.effect_costs.command import measure
 
     measure(json_file, quick=quick)
 

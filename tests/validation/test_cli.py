@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from validation import cli, output, suite
+from validation import case_suite, cli, output
 from validation.case import Case, Outcome, run
 from validation.case_loading import read
 
@@ -104,10 +104,10 @@ def test_processes_that_share_the_cases_find_what_one_finds(
 ) -> None:
     """In the same order; only the costs of steps are measured again."""
     cases = list(few())[::-1]
-    alone = suite.outcomes(cases, jobs=1)
-    monkeypatch.setattr(suite, "WORTH", 1)
+    alone = case_suite.outcomes(cases, jobs=1)
+    monkeypatch.setattr(case_suite, "WORTH", 1)
 
-    shared = suite.outcomes(cases, jobs=2)
+    shared = case_suite.outcomes(cases, jobs=2)
 
     assert [o.level for o in shared] == [case.level for case in cases]
     assert list(map(untimed, shared)) == list(map(untimed, alone))

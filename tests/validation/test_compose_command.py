@@ -9,12 +9,12 @@ import pytest
 from typer.testing import CliRunner
 
 from sandbox.model.loading import load
-from tests.validation.test_compose import FIELDS, of, recorded
+from tests.validation.test_random_compositions import FIELDS, of, recorded
 from validation import cli
-from validation.compose import command
-from validation.compose.command import Outcome, complaints, judged
-from validation.compose.property_checks import Case, Judgement
-from validation.compose.seeded_scenes import scene, seeds
+from validation.random_compositions import command
+from validation.random_compositions.command import Outcome, complaints, judged
+from validation.random_compositions.invariants import Case, Judgement
+from validation.random_compositions.seeded_scenes import scene, seeds
 
 
 def outcome_of(seed: int, *, passed: bool) -> Outcome:
@@ -30,7 +30,7 @@ def test_the_command_writes_what_failed_as_json_and_as_levels(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("validation.output.spread", _in_turn)
-    monkeypatch.setattr("validation.compose.command.judged", judged_by_parity)
+    monkeypatch.setattr("validation.random_compositions.command.judged", judged_by_parity)
     file, folder = tmp_path / "found.json", tmp_path / "levels"
     args = ["compose", "--scene", "2", "--scene", "3", "--json", str(file), "--output", str(folder)]
 

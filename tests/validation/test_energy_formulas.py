@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from validation.formulas import Array, energy, kinematics, newton
+from validation.formulas import Array, energy, kinematics, newtons_laws
 
 positive = st.floats(0.01, 100)
 angles = st.floats(0.05, pi / 2 - 0.05)
@@ -42,8 +42,10 @@ def test_a_ball_from_2_m_comes_down_the_ramp_at_6_26_m_per_s() -> None:
 def test_a_ramp_takes_as_long_as_newton_says(height: float, angle: float, g: float) -> None:
     t = energy.ramp_time(height, angle, g)
 
-    assert newton.incline_acceleration(angle, g) * t**2 / 2 == pytest.approx(height / np.sin(angle))
-    assert newton.incline_acceleration(angle, g) * t == pytest.approx(
+    assert newtons_laws.incline_acceleration(angle, g) * t**2 / 2 == pytest.approx(
+        height / np.sin(angle)
+    )
+    assert newtons_laws.incline_acceleration(angle, g) * t == pytest.approx(
         energy.landing_speed(0, g, height)
     )
 
@@ -54,7 +56,7 @@ def test_work_and_newton_agree_on_the_braking_distance(
 ) -> None:
     distance = energy.work_distance(mass, speed, mu * mass * g)
 
-    assert distance == pytest.approx(newton.stopping_distance(speed, mu, g))
+    assert distance == pytest.approx(newtons_laws.stopping_distance(speed, mu, g))
     assert energy.work_distance(mass, 2 * speed, mu * mass * g) == pytest.approx(4 * distance)
 
 

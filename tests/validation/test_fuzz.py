@@ -28,7 +28,6 @@ from validation.fuzz import command, isolated_trial
 from validation.fuzz.atheris_process import Choices
 from validation.fuzz.command import Findings, made, shrunk
 from validation.fuzz.coverage_guided_levels import guided
-from validation.fuzz.input_repair import mended
 from validation.fuzz.isolated_trial import (
     ENDED,
     NO_ANSWER,
@@ -43,6 +42,7 @@ from validation.fuzz.isolated_trial import (
     attempt,
 )
 from validation.fuzz.mutated_levels import places
+from validation.fuzz.refused_level_repair import mended
 from validation.fuzz.schema_grammar import Grammar
 
 JOINTS = [kind.model_fields["type"].annotation for kind in get_args(get_args(Joint)[0])]

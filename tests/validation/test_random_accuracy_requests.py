@@ -10,9 +10,9 @@ from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.offered_settings import Offer
 from sandbox.physics.accuracy.requested_accuracy import Setting
-from validation.cost.accuracy_requests import Request
-from validation.cost.report import asked, summed
-from validation.cost.scheme_and_rate_sweep import Budget, Point, Sweep, errors, timed
+from validation.cost_of_accuracy.accuracy_requests import Request
+from validation.cost_of_accuracy.report import asked, summed
+from validation.cost_of_accuracy.scheme_and_rate_sweep import Budget, Point, Sweep, errors, timed
 from validation.random_accuracy_requests import looked_at
 
 BUDGET = Budget(run=0.05, rates=(30.0, 120.0, 480.0), targets=(1e-3, 1e-5))

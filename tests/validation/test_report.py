@@ -18,7 +18,7 @@ from sandbox.model import file_writing
 from sandbox.model.errors import SandboxError
 from tests.elsewhere import python
 from validation.cli import app
-from validation.effects import cost_growth, costs
+from validation.effect_costs import comparison_with_bare_engine, cost_growth
 from validation.report import command, measurements
 
 pytestmark = pytest.mark.sweep  # the page takes half a minute to be made
@@ -67,7 +67,7 @@ def _small() -> Iterator[None]:
         patch.setattr(measurements, "PHENOMENA", ("atwood", "circular_motion"))
         patch.setattr(measurements, "SAMPLE", LEVELS)
         patch.setattr(measurements, "HARD", HARD)
-        patch.setattr(costs, "QUICK", (1, 100, 200))
+        patch.setattr(comparison_with_bare_engine, "QUICK", (1, 100, 200))
         patch.setattr(cost_growth, "QUICK", {"gas": (2, 9), "pile": (2, 9)})
         yield
 

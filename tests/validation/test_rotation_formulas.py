@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from validation.formulas import newton, rotation
+from validation.formulas import newtons_laws, rotation
 
 positive = st.floats(0.01, 100)
 angles = st.floats(0.05, pi / 2 - 0.05)
@@ -35,7 +35,7 @@ def test_the_further_out_the_mass_the_later() -> None:
 
     assert times == sorted(times)
     assert rotation.rolling_acceleration(rotation.SLIDING, 0.3, 9.81, 0) == pytest.approx(
-        newton.incline_acceleration(0.3, 9.81)
+        newtons_laws.incline_acceleration(0.3, 9.81)
     )
 
 
@@ -55,7 +55,7 @@ def test_friction_on_a_round_body_is_never_more_than_coulombs(
     factor: float, mass: float, angle: float, g: float, mu: float
 ) -> None:
     friction = rotation.rolling_friction(factor, mass, angle, g, mu)
-    most = mu * newton.incline_normal_force(mass, angle, g)
+    most = mu * newtons_laws.incline_normal_force(mass, angle, g)
 
     assert friction <= most + 1e-9 * mass * g
     if not rotation.rolls(factor, angle, mu):

@@ -45,8 +45,8 @@ def main() -> None:
     atheris = importlib.import_module("atheris")
     with atheris.instrument_imports(include=["sandbox"]):
         from validation.fuzz import isolated_trial
-        from validation.fuzz.input_repair import answered
         from validation.fuzz.random_levels import drawn_level
+        from validation.fuzz.refused_level_repair import answered
     isolated_trial.load_libraries()
     numbers = count()
 

@@ -18,10 +18,10 @@ import typer
 from sandbox.model.file_writing import folder_of_files, write_atomically
 from validation import output
 from validation.fuzz.coverage_guided_levels import available, guided
-from validation.fuzz.input_repair import answered
 from validation.fuzz.isolated_trial import Trial, Tried
 from validation.fuzz.mutated_levels import places
 from validation.fuzz.random_levels import drawn_level
+from validation.fuzz.refused_level_repair import answered
 
 TRIES = 120
 

@@ -12,16 +12,16 @@ from pydantic import TypeAdapter, ValidationError
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import read_ordinary, without_links
-from validation import output, suite
+from validation import case_suite, output
 from validation.case import Case, Outcome
 from validation.case_loading import read
 from validation.cases import PHENOMENA, all_cases
-from validation.cost import command as cost
-from validation.cost.accuracy_requests import Request
-from validation.cost.scheme_and_rate_sweep import Sweep
-from validation.effects import command as effects
-from validation.effects.cost_growth import Growth
-from validation.effects.costs import EffectCost, LevelCost
+from validation.cost_of_accuracy import command as cost
+from validation.cost_of_accuracy.accuracy_requests import Request
+from validation.cost_of_accuracy.scheme_and_rate_sweep import Sweep
+from validation.effect_costs import command as effects
+from validation.effect_costs.comparison_with_bare_engine import EffectCost, LevelCost
+from validation.effect_costs.cost_growth import Growth
 from validation.stability import command as stability
 from validation.stability.run_all_cases import Outcome as Hard
 from validation.stability.run_all_cases import run
@@ -73,7 +73,7 @@ class Part:
 
 
 def _cases(quick: bool) -> Content:
-    found = suite.outcomes(quick_cases() if quick else list(all_cases()))
+    found = case_suite.outcomes(quick_cases() if quick else list(all_cases()))
     return output.content(cases=found)
 
 

@@ -12,16 +12,16 @@ from sandbox.model.errors import SandboxError
 from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS
 from sandbox.reporting import html_pages, plot_style
 from sandbox.reporting.html_pages import inline
-from validation.cost import report as cost_report
-from validation.cost import work_precision_diagram as cost_figure
-from validation.cost.report import TARGETS, cost_to_reach, next_digit
-from validation.cost.scheme_and_rate_sweep import NAIVE, Sweep
-from validation.effects import effect_cost_figure
-from validation.effects.command import rows
-from validation.effects.cost_growth import Growth
-from validation.effects.costs import EffectCost, LevelCost
+from validation.cost_of_accuracy import report as cost_report
+from validation.cost_of_accuracy import work_precision_diagram as cost_figure
+from validation.cost_of_accuracy.report import TARGETS, cost_to_reach, next_digit
+from validation.cost_of_accuracy.scheme_and_rate_sweep import NAIVE, Sweep
+from validation.effect_costs import cost_by_body_count_figure
+from validation.effect_costs.command import rows
+from validation.effect_costs.comparison_with_bare_engine import EffectCost, LevelCost
+from validation.effect_costs.cost_growth import Growth
 from validation.report import measurements
-from validation.report.digest.claims import Cases, cases, chosen, share
+from validation.report.digest.case_outcomes import Cases, cases, chosen, share
 from validation.report.digest.costs import Costs, Requests, costs, hooks
 from validation.report.digest.grouping_by_chapter import by_chapter
 from validation.report.digest.hard_cases import HardCases, hard_cases
@@ -94,7 +94,7 @@ def _add_effects(found: Report, content: measurements.Content) -> None:
     found.effects = measurements.effect_costs(content)
     found.growths = measurements.growths(content)
     if found.effects:
-        found.figures["effects"] = effect_cost_figure.diagram(found.effects)
+        found.figures["effects"] = cost_by_body_count_figure.diagram(found.effects)
 
 
 _ADDED: Mapping[str, Callable[[Report, measurements.Content], None]] = {

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from math import isfinite
 from statistics import median
 
-from validation.cost.accuracy_requests import EXPENSIVE, Request
-from validation.cost.report import ROUNDING, Headline, headline, order
-from validation.cost.scheme_and_rate_sweep import NAIVE, OURS, Sweep
-from validation.effects.costs import LevelCost
+from validation.cost_of_accuracy.accuracy_requests import EXPENSIVE, Request
+from validation.cost_of_accuracy.report import ROUNDING, Headline, headline, order
+from validation.cost_of_accuracy.scheme_and_rate_sweep import NAIVE, OURS, Sweep
+from validation.effect_costs.comparison_with_bare_engine import LevelCost
 from validation.report.digest.grouping_by_chapter import by_chapter
 
 

@@ -6,7 +6,7 @@ from math import exp, pi
 
 import numpy as np
 
-from validation.formulas.machines import capstan_acceleration
+from validation.formulas.assorted_mechanics_problems import capstan_acceleration
 from validation.stability.hard_case import Frontier, HardCase
 from validation.stability.run_measures import Run, drift, mass, rows
 from validation.stability.scene_parts import (

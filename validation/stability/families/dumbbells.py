@@ -6,7 +6,7 @@ from math import cos, inf, radians, sin
 import numpy as np
 
 from sandbox.model.expressions import Array
-from validation.formulas.machines import dumbbell_bounce
+from validation.formulas.assorted_mechanics_problems import dumbbell_bounce
 from validation.stability.hard_case import Frontier, HardCase
 from validation.stability.run_measures import Run, mass, rows
 from validation.stability.scene_parts import (
