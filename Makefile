@@ -95,9 +95,9 @@ format: $(FOR_TEST) ## put the code into the project's format
 	$(PY) -m ruff format .
 
 docs: $(FOR_RUN) ## write anew what is generated: JSON Schemas, the reference, the map of the chapter
-	$(PY) -m sandbox.model.schema
-	$(PY) -m sandbox.experiments.schema
-	$(PY) -m sandbox.cli.reference
+	$(PY) -m sandbox.model.write_json_schema
+	$(PY) -m sandbox.experiments.write_json_schema
+	$(PY) -m sandbox.cli.write_reference_pages
 	$(PY) -m validation.textbook_coverage
 
 pictures: $(FOR_TEST) ## draw the pictures of the README anew, from the window as it is now

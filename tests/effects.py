@@ -5,7 +5,7 @@ from typing import Any
 
 from sandbox.model.effects import EFFECTS
 from sandbox.model.reference_fields import NAMES
-from sandbox.model.schema import grammar
+from sandbox.model.write_json_schema import grammar
 
 Part = dict[str, Any]
 

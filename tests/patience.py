@@ -5,7 +5,7 @@ import sys
 import time
 from pathlib import Path
 
-from sandbox.processes import spread
+from sandbox.parallel_processes import spread
 
 
 def linger(folder: str) -> None:

@@ -9,7 +9,7 @@ import pytest
 import sandbox
 from sandbox.model.level import Level
 from sandbox.model.rules.level_validation import corners
-from sandbox.physics.measuring.goals import Attempt, attempt
+from sandbox.physics.measuring.challenge_goals import Attempt, attempt
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 BLOCK = re.compile(r"^```json\n(.*?)^```$", re.MULTILINE | re.DOTALL)

@@ -7,7 +7,7 @@ from functools import cache
 from rich.table import Table
 
 from sandbox import progress_bar
-from sandbox.processes import spread
+from sandbox.parallel_processes import spread
 from validation import output
 from validation.case import Case, Outcome, run, together
 from validation.cases import all_cases

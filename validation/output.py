@@ -19,8 +19,8 @@ from rich.console import Console
 from rich.table import Table
 
 from sandbox import progress_bar
-from sandbox.model.file_writing import write_atomically
-from sandbox.processes import spread
+from sandbox.model.atomic_file_access import write_atomically
+from sandbox.parallel_processes import spread
 from sandbox.version import __version__
 
 WIDE = 160
@@ -35,7 +35,7 @@ def spread_in_order(
 ) -> list[T]:
     """Do work in several processes, with progress on a terminal, and return the results in order.
 
-    For the processes see `sandbox.processes.spread`.
+    For the processes see `sandbox.parallel_processes.spread`.
     """
     found = dict(progress_bar.consume(spread(work, items, jobs), label, len(items)))
     return [found[number] for number in range(len(items))]

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sandbox.model import level_catalog
-from sandbox.model.file_writing import generate, write_atomically
+from sandbox.model.atomic_file_access import generate, write_atomically
 from sandbox.model.loading import load
 
 PAGE = Path("docs") / "reference" / "chapter.md"

@@ -15,7 +15,7 @@ from typing import Any
 
 from sandbox.app.drawing import theme
 from sandbox.app.words import language
-from sandbox.processes import starting
+from sandbox.parallel_processes import starting
 
 LIMIT = 120.0  # s, the longest lifetime of a process
 POLITE = 5  # added to the process's niceness, where there is one

@@ -14,8 +14,8 @@ from sandbox.app.widgets.parameter_sliders import Change
 from sandbox.app.window_contents import Workspace
 from sandbox.app.window_keys import WHILE_TYPING
 from sandbox.app.words.language import say
+from sandbox.model.atomic_file_access import without_links
 from sandbox.model.errors import SandboxError
-from sandbox.model.file_writing import without_links
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
 

@@ -10,8 +10,8 @@ from typing import Literal
 
 from sandbox.app.runs.runfile import Run
 from sandbox.app.words.language import later, say
+from sandbox.model.atomic_file_access import write_atomically
 from sandbox.model.errors import SandboxError
-from sandbox.model.file_writing import write_atomically
 
 Kind = Literal["gif", "mp4"]
 

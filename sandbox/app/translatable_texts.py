@@ -24,8 +24,8 @@ from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
 from sandbox.physics.accuracy.error_causes_and_costs import Stage
+from sandbox.physics.measuring.challenge_goals import Standing
 from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL
-from sandbox.physics.measuring.goals import Standing
 
 _WORD = re.compile(r"[^\W\d_]{2}(?![^{}]*\})")
 """Two successive letters outside placeholders. A text without them, such as a key or a symbol, is

@@ -7,7 +7,7 @@ import typer
 from pydantic import ValidationError
 
 from sandbox.cli.argument_parsing import UsageError
-from sandbox.model import parse_messages
+from sandbox.model import parser_error_messages
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 
@@ -60,7 +60,7 @@ def _stepping(settings: Mapping[str, float | str]) -> Stepping:
         [name] = error.errors()[0]["loc"]
         value = settings[str(name)]
         shown = value if isinstance(value, str) else f"{value:g}"
-        rule = parse_messages.rule(error.errors()[0])
+        rule = parser_error_messages.rule(error.errors()[0])
         raise UsageError(f"--{name} {shown}: {rule}") from error
 
 

@@ -14,7 +14,7 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.remarks_on_valid_levels import remarks
 from sandbox.model.scheme_requirements import bounds_the_rate
-from sandbox.processes import spread
+from sandbox.parallel_processes import spread
 
 
 class Finding(NamedTuple):

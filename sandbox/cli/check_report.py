@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from sandbox.app.words import formatting
 from sandbox.cli.text_columns import aligned
 from sandbox.model.expressions import Expression
-from sandbox.physics.measuring.goals import attempt
+from sandbox.physics.measuring.challenge_goals import attempt
 from sandbox.physics.measuring.grading import Result
 from sandbox.physics.measuring.recording import Trace
 

@@ -11,12 +11,12 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
-from sandbox import processes
+from sandbox import parallel_processes
 from sandbox.cli import argument_parsing
 from sandbox.cli.accuracy_option import Choice, settled
 from sandbox.cli.argument_parsing import UsageError
+from sandbox.model.atomic_file_access import folder_of_files
 from sandbox.model.errors import MisuseError, SandboxError, brief
-from sandbox.model.file_writing import folder_of_files
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
 from sandbox.model.translatable_message import Message
@@ -48,7 +48,7 @@ def experiment(
     if jobs is not None and address is not None:
         raise UsageError("--jobs and --cluster: the cluster's workers say how many there are")
     if address is None and (jobs or os.cpu_count() or 1) > 1:
-        processes.prepare("sandbox.experiments.row_runs")
+        parallel_processes.prepare("sandbox.experiments.row_runs")
     with needed_for("an experiment", "experiment"):
         from sandbox.experiments import report
         from sandbox.experiments.experiment_folder import Store

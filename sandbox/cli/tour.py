@@ -14,8 +14,8 @@ from sandbox.cli import argument_parsing, check_report
 from sandbox.cli.render import go_headless
 from sandbox.cli.tour_visit import Visit, visit
 from sandbox.model import level_catalog
+from sandbox.model.atomic_file_access import folder_of_files, write_atomically
 from sandbox.model.errors import SandboxError
-from sandbox.model.file_writing import folder_of_files, write_atomically
 
 _STYLE = """
 body { font: 16px/1.45 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem;

@@ -11,7 +11,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import load
 from sandbox.physics.advising.remedy_trials import with_advice
-from sandbox.physics.energy.book_closure import Closing
+from sandbox.physics.energy.balance_check import Closing
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.run import simulate

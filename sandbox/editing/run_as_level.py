@@ -21,8 +21,8 @@ from sandbox.model.joint_ends_at_start import span
 from sandbox.model.joints import Pulley, Rod, Rope, Spring, Weld, Winding
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions, names_in
-from sandbox.model.live_parameters import obstacle
 from sandbox.model.loading import parse
+from sandbox.model.parameters_changeable_in_run import obstacle
 from sandbox.model.shapes import evaluate
 from sandbox.physics.stepping.world import World
 

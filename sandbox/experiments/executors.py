@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from sandbox.model.errors import SandboxError, brief
 from sandbox.optional_packages import needed_for
-from sandbox.processes import AHEAD, spread
+from sandbox.parallel_processes import AHEAD, spread
 from sandbox.version import __version__
 
 if TYPE_CHECKING:

@@ -12,12 +12,12 @@ from pydantic import Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.experiments.random_points import Method
-from sandbox.model import parse_messages
+from sandbox.model import parser_error_messages
+from sandbox.model.atomic_file_access import read_ordinary
 from sandbox.model.base import Model, Name
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.expression_compiler import MAX_LENGTH
-from sandbox.model.file_writing import read_ordinary
 from sandbox.model.json_document import Document, refuse
 from sandbox.model.level_parts import Fault
 from sandbox.model.number_bounds import Finite
@@ -117,7 +117,7 @@ def _faults(error: ValidationError, document: Document | None, data: Any) -> Ite
         return
     for detail in error.errors(include_url=False):
         locations = document.values.keys() if document else {detail["loc"][:1]}
-        path = parse_messages.path_of(detail, locations.__contains__)
+        path = parser_error_messages.path_of(detail, locations.__contains__)
         yield Fault(path, _rule(detail))
 
 
@@ -127,4 +127,4 @@ def _rule(detail: ErrorDetails) -> Message:
         name = str(detail["loc"][-1])
         hint = suggestion(name, keys, longest=len(keys))
         return Message("unknown key '{name}'{hint}", name=brief(name), hint=hint)
-    return parse_messages.rule(detail)
+    return parser_error_messages.rule(detail)

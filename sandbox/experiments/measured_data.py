@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
+from sandbox.model.atomic_file_access import read_ordinary
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Array
-from sandbox.model.file_writing import read_ordinary
 from sandbox.model.level import Level
 from sandbox.model.quantities import QuantityError, quantity
 

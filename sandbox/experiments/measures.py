@@ -23,7 +23,6 @@ from sandbox.experiments.observables import Observable
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Expression
-from sandbox.model.instants import MOST_MEETINGS
 from sandbox.model.level import (
     ApexEvent,
     Check,
@@ -34,10 +33,10 @@ from sandbox.model.level import (
     Level,
     SeparationEvent,
 )
+from sandbox.model.measuring_instants import MOST_MEETINGS
 from sandbox.model.named_constants import let_use
 from sandbox.model.quantities import OVER_TIME, quantity
 from sandbox.model.translatable_message import Message
-from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.measuring.grading import (
     applies,
     grade_check,
@@ -45,6 +44,7 @@ from sandbox.physics.measuring.grading import (
     relative_error,
     samples,
 )
+from sandbox.physics.measuring.interpolation_between_steps import value_at
 from sandbox.physics.measuring.recording import Trace, needed_at
 from sandbox.physics.measuring.running_aggregates import over_time
 

@@ -11,7 +11,7 @@ from sandbox.model.errors import SandboxError, ValueRangeError, brief
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.translatable_message import both
-from sandbox.physics.measuring.event_interpolation import value_at
+from sandbox.physics.measuring.interpolation_between_steps import value_at
 from sandbox.physics.run import simulate
 
 STEP = 1e-5

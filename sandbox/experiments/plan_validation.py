@@ -11,7 +11,7 @@ from sandbox.experiments.measures import MeasureError
 from sandbox.experiments.parameter_axes import Axis, AxisError, Listed
 from sandbox.experiments.plan import NAMED, Plan, axis_of
 from sandbox.experiments.random_points import MOST_IN_A_HYPERCUBE
-from sandbox.model import parse_messages
+from sandbox.model import parser_error_messages
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.level import Level, Scheme
@@ -92,7 +92,7 @@ def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[Message
 def _in_words(error: SandboxError | ValidationError) -> Message:
     if isinstance(error, ValidationError):
         detail = error.errors(include_url=False)[0]
-        return parse_messages.rule(detail)
+        return parser_error_messages.rule(detail)
     return error.message
 
 

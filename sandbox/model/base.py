@@ -6,7 +6,7 @@ from pydantic import BaseModel, ConfigDict, Field, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
-from sandbox.model.field_docs import docs
+from sandbox.model.field_docstrings import docs
 
 
 class Model(BaseModel):

@@ -8,7 +8,7 @@ from pydantic import Field
 from sandbox.model.annotated_field_search import Prose
 from sandbox.model.base import Model, Name
 from sandbox.model.expressions import Expression
-from sandbox.model.instants import Instant
+from sandbox.model.measuring_instants import Instant
 from sandbox.model.number_bounds import Finite
 from sandbox.model.reference_fields import ParameterName, QuantityName
 

@@ -11,8 +11,14 @@ from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression, Fraction, Values
-from sandbox.model.instants import ApexEvent, CrossingEvent, LandingEvent, crossing_of, kind_of
 from sandbox.model.joints import AngleStop, Joint, OneSided, Stop, is_exact
+from sandbox.model.measuring_instants import (
+    ApexEvent,
+    CrossingEvent,
+    LandingEvent,
+    crossing_of,
+    kind_of,
+)
 from sandbox.model.number_bounds import Load
 from sandbox.model.reference_fields import BodyNames, ForceNames, JointNames
 

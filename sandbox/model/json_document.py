@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import islice
 from typing import Any, NoReturn
 
-from sandbox.model import json_positions, parse_messages
+from sandbox.model import json_positions, parser_error_messages
 from sandbox.model.comments import members
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
 from sandbox.model.json_positions import Origin, Path, Position, Value
@@ -48,7 +48,11 @@ class Document(Origin):
         try:
             data = json.loads(self.text, object_pairs_hook=pairs, parse_constant=suspects.append)
         except json.JSONDecodeError as error:
-            refuse(self.source, parse_messages.syntax(error), position=(error.lineno, error.colno))
+            refuse(
+                self.source,
+                parser_error_messages.syntax(error),
+                position=(error.lineno, error.colno),
+            )
         except RecursionError:
             self.refuse_depth()
         except ValueError:

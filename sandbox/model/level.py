@@ -26,16 +26,16 @@ from sandbox.model.effects import Effects
 from sandbox.model.events import MOST_EVENTS, Event, breakable, rebounding_stops
 from sandbox.model.expressions import Expression, Positive, Values
 from sandbox.model.functions_of_one_variable import Formula
-from sandbox.model.instants import ApexEvent as ApexEvent
-from sandbox.model.instants import ContactEvent as ContactEvent
-from sandbox.model.instants import CrossingEvent as CrossingEvent
-from sandbox.model.instants import Instant as Instant
-from sandbox.model.instants import LandingEvent as LandingEvent
-from sandbox.model.instants import SeparationEvent as SeparationEvent
 from sandbox.model.joints import (
     Joint,
 )
 from sandbox.model.json_positions import Origin, Path
+from sandbox.model.measuring_instants import ApexEvent as ApexEvent
+from sandbox.model.measuring_instants import ContactEvent as ContactEvent
+from sandbox.model.measuring_instants import CrossingEvent as CrossingEvent
+from sandbox.model.measuring_instants import Instant as Instant
+from sandbox.model.measuring_instants import LandingEvent as LandingEvent
+from sandbox.model.measuring_instants import SeparationEvent as SeparationEvent
 from sandbox.model.named_constants import define
 from sandbox.model.number_bounds import Duration, Finite
 from sandbox.model.reference_fields import Mention, QuantityName

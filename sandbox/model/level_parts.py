@@ -4,10 +4,10 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple, Self
 
 from sandbox.model.contained_expressions import expressions as walk
-from sandbox.model.instants import Instant
 from sandbox.model.json_positions import Path
 from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level import Check, Level
+from sandbox.model.measuring_instants import Instant
 from sandbox.model.translatable_message import Message, message
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import NamedTuple, cast
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from sandbox.model import parse_messages
+from sandbox.model import parser_error_messages
 from sandbox.model.body import Body
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.effects import EFFECTS, Effects
@@ -229,7 +229,7 @@ def _in_words(effect: str, detail: ErrorDetails) -> Message:
             effect=effect,
             field=detail["loc"][-1],
         )
-    return Message("{place}: {rule}", place=place, rule=parse_messages.rule(shown))
+    return Message("{place}: {rule}", place=place, rule=parser_error_messages.rule(shown))
 
 
 def _with_coefficient(level: Level, effect: str, coefficient: object) -> Level:

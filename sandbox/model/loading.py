@@ -14,8 +14,8 @@ import numpy as np
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from sandbox.garbage_pause import uncollected
-from sandbox.model import parse_messages
+from sandbox.garbage_collection_pause import uncollected
+from sandbox.model import parser_error_messages
 from sandbox.model.comments import without_comments
 from sandbox.model.did_you_mean import did_you_mean
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
@@ -236,13 +236,13 @@ def _refuse_json(document: Document, what: str, *, typed: bool) -> NoReturn:
     """Raise pydantic's JSON error in a text that Python's parser accepts, or in its expansion."""
     if "recursion" in what:
         document.refuse_depth()
-    rule, place = parse_messages.refused(what)
+    rule, place = parser_error_messages.refused(what)
     refuse(document.source, rule, position=place if typed else None)
 
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
     """Yield pydantic's errors with their paths, and further mistakes found in spite of them."""
-    paths = [parse_messages.path_of(detail, document.has) for detail in details]
+    paths = [parser_error_messages.path_of(detail, document.has) for detail in details]
     placed = [
         (path, detail)
         for path, detail in zip(paths, details, strict=True)
@@ -250,7 +250,7 @@ def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Itera
     ]
     ordered = sorted(placed, key=lambda pair: document.start(pair[0]))
     for path, detail in ordered[: MAX_MISTAKES + 1]:
-        yield Fault(path, parse_messages.rule(detail))
+        yield Fault(path, parser_error_messages.rule(detail))
     mended = _mend(document, data, details) if len(details) < MANY else None
     if mended is not None:
         yield from dangling(mended)
@@ -268,7 +268,7 @@ def _mend(document: Document, data: Any, details: list[ErrorDetails]) -> Level |
     """
     try:
         for detail in details:
-            *outside, last = parse_messages.path_of(detail, document.has)
+            *outside, last = parser_error_messages.path_of(detail, document.has)
             part = reduce(getitem, outside, data)
             if detail["type"] == "extra_forbidden":
                 del part[last]

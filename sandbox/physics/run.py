@@ -15,7 +15,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import at_least_lasting
-from sandbox.physics.energy.book_closure import Closer
+from sandbox.physics.energy.balance_check import Closer
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, may_lean, needed
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.state.simulation_errors import BreakdownError

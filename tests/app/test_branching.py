@@ -11,7 +11,7 @@ from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.live_parameters import obstacle
+from sandbox.model.parameters_changeable_in_run import obstacle
 from tests.app.person import Person
 from tests.app.scenes import opened
 from tests.app.test_time_travel import go_to

@@ -24,7 +24,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.json_positions import TOKEN, Position, position
 from sandbox.model.loading import parse
 from sandbox.model.rules.consistency.references_by_name import named_bodies
-from sandbox.processes import spread
+from sandbox.parallel_processes import spread
 
 TOLD, HARMLESS, OTHER = "told", "harmless", "another body"
 ANSWERS = (TOLD, HARMLESS, OTHER)

@@ -20,7 +20,7 @@ from sandbox.model.translatable_message import Message
 from tests.elsewhere import PATIENCE, ROOT
 from tests.experiments.making import RANGE, plan, table
 from tests.patience import alive
-from tests.test_processes import until
+from tests.test_parallel_processes import until
 
 THROW = "kinematics/projectile"
 DRAG, END = "newton/projectile-with-drag", "ball.position.x@end"

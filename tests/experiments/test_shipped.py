@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sandbox.experiments import catalog, report, schema
+from sandbox.experiments import catalog, report, write_json_schema
 from sandbox.experiments.experiment_folder import RESULTS
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.plan_validation import make
@@ -75,11 +75,11 @@ def test_a_block_slides_beyond_the_angle_of_friction_only(tmp_path: Path) -> Non
 
 
 def test_the_schema_s_file_is_that_of_the_format() -> None:
-    """If not: `python -m sandbox.experiments.schema` writes it."""
-    assert (catalog.root() / catalog.SCHEMA).read_text("utf-8") == schema.text()
+    """If not: `python -m sandbox.experiments.write_json_schema` writes it."""
+    assert (catalog.root() / catalog.SCHEMA).read_text("utf-8") == write_json_schema.text()
 
 
 @pytest.mark.parametrize("name", catalog.names())
 def test_a_file_says_no_key_that_the_schema_does_not_know(name: str) -> None:
-    known = json.loads(schema.text())["properties"]
+    known = json.loads(write_json_schema.text())["properties"]
     assert set(json.loads(catalog.find(name).read_text("utf-8"))) <= set(known)

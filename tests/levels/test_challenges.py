@@ -5,7 +5,7 @@ import pytest
 from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import load
-from sandbox.physics.measuring.goals import Attempt, attempt
+from sandbox.physics.measuring.challenge_goals import Attempt, attempt
 from sandbox.physics.run import simulate
 from tests.sample import sampled
 

@@ -5,19 +5,19 @@ import sys
 
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
-from sandbox.model.field_docs import docs
+from sandbox.model.field_docstrings import docs
 from sandbox.model.level import Level, Stepping
 from sandbox.model.view import View
 
 UNBUILT = """
 from sandbox.model.base import Model
 from sandbox.model.level import Level
-from sandbox.model import field_docs
+from sandbox.model import field_docstrings
 kinds = [Model]
 for kind in kinds:
     kinds += kind.__subclasses__()
 print(len(kinds), sum(kind.__pydantic_complete__ for kind in kinds[1:]))
-print(field_docs.docs.cache_info().misses)
+print(field_docstrings.docs.cache_info().misses)
 """
 
 

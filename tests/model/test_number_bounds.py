@@ -8,7 +8,7 @@ import pytest
 from sandbox.model import number_bounds
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression
-from sandbox.model.schema import schema
+from sandbox.model.write_json_schema import schema
 from tests.model.levels import Data, bare, hanging, mistakes, said, setting
 
 HOME = number_bounds.__name__

@@ -12,8 +12,8 @@ from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.model.rules.consistency.references_by_name import named_bodies
-from sandbox.model.schema import grammar
 from sandbox.model.shorthand.expansion import write_out
+from sandbox.model.write_json_schema import grammar
 from tests.model.levels import Data, bare, hanging, mistakes, mistakes_in
 
 SCHEMA = grammar()

@@ -19,8 +19,8 @@ from typer.testing import CliRunner
 from sandbox.model.effects import Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint
-from sandbox.model.schema import schema
 from sandbox.model.shorthand.repeated_members import REPEAT
+from sandbox.model.write_json_schema import schema
 from tests.elsewhere import python
 from tests.model.levels import bare, hanging
 from validation.cli import app

@@ -8,7 +8,7 @@ import pytest
 from sandbox.model.level import Scheme, Stepping
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
-from sandbox.physics.accuracy.offered_settings import Offer
+from sandbox.physics.accuracy.candidate_settings import Offer
 from sandbox.physics.accuracy.requested_accuracy import Setting
 from validation.cost_of_accuracy.accuracy_requests import Request
 from validation.cost_of_accuracy.report import asked, summed

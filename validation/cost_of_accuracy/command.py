@@ -10,9 +10,9 @@ import typer
 
 from sandbox import progress_bar
 from sandbox.model import level_catalog
-from sandbox.model.file_writing import folder_of_files
+from sandbox.model.atomic_file_access import folder_of_files
 from sandbox.optional_packages import needed_for
-from sandbox.processes import spread
+from sandbox.parallel_processes import spread
 from validation import output
 from validation.cost_of_accuracy.report import as_json, asked, asked_table, failed, summed, table
 from validation.cost_of_accuracy.scheme_and_rate_sweep import QUICK, Budget, Sweep, errors, timed

@@ -15,9 +15,9 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.level import Stepping
 from sandbox.model.loading import parse
+from sandbox.parallel_processes import starting
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import BreakdownError
-from sandbox.processes import starting
 
 SECONDS = 2.0
 """The processor time that an answer may take [s]."""

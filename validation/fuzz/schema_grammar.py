@@ -7,7 +7,7 @@ from random import Random
 from typing import Any
 
 from sandbox.model.reference_fields import NAMES
-from sandbox.model.schema import grammar
+from sandbox.model.write_json_schema import grammar
 
 Part = Mapping[str, Any]
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import typer
 from rich.console import Console
 
+from sandbox.model.atomic_file_access import check_writable, folder_of_files, write_atomically
 from sandbox.model.errors import MisuseError, SandboxError
-from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
 from sandbox.model.translatable_message import Message
 from sandbox.reporting import plot_style
 from validation.output import save

@@ -10,8 +10,8 @@ from typing import Any, TypeVar
 from pydantic import TypeAdapter, ValidationError
 
 from sandbox.model import level_catalog
+from sandbox.model.atomic_file_access import read_ordinary, without_links
 from sandbox.model.errors import SandboxError
-from sandbox.model.file_writing import read_ordinary, without_links
 from validation import case_suite, output
 from validation.case import Case, Outcome
 from validation.case_loading import read

@@ -11,8 +11,8 @@ import numpy as np
 from sandbox.model.level import Level
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import choose, load
+from sandbox.parallel_processes import spread
 from sandbox.physics.run import build
-from sandbox.processes import spread
 from validation.stability.families import all_cases, all_frontiers
 from validation.stability.frontier import QUICK_TIME, reach, trial
 from validation.stability.frontier_history import last, moved_inward, read

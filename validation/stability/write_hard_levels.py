@@ -3,7 +3,7 @@
 Run it with `python -m validation.stability.write_hard_levels`.
 """
 
-from sandbox.model.file_writing import write_atomically
+from sandbox.model.atomic_file_access import write_atomically
 from sandbox.model.level_catalog import root
 from sandbox.model.level_writing import text
 from sandbox.model.loading import parse

@@ -17,7 +17,7 @@ from sandbox.editing.inserted_value_layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression
-from sandbox.model.field_docs import docs
+from sandbox.model.field_docstrings import docs
 from sandbox.model.json_positions import Path
 from sandbox.model.reference_fields import Mention
 

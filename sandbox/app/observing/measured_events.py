@@ -16,8 +16,8 @@ from sandbox.model.level import (
     SeparationEvent,
 )
 from sandbox.model.shapes import XY
-from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.measuring.grading import Result
+from sandbox.physics.measuring.interpolation_between_steps import value_at
 from sandbox.physics.measuring.recording import Trace
 
 MOST = 3

@@ -22,7 +22,7 @@ from sandbox.app.widgets.text_field import LONGEST, Field
 from sandbox.app.widgets.widget_helpers import Row, scroll_position, scroll_to, show_pressed
 from sandbox.app.words.language import plural, say
 from sandbox.model import level_catalog
-from sandbox.model.file_writing import without_links
+from sandbox.model.atomic_file_access import without_links
 
 ROW = 28  # px
 HEADING = 34  # px

@@ -25,7 +25,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
-from sandbox.physics.measuring.goals import Attempt, attempt
+from sandbox.physics.measuring.challenge_goals import Attempt, attempt
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.stepping.saved_state import still
 from sandbox.physics.stepping.time_limit import TimeLimit

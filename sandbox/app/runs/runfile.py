@@ -11,10 +11,10 @@ from pydantic_core import ErrorDetails
 
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.user_interventions import Action
-from sandbox.model import parse_messages
+from sandbox.model import parser_error_messages
+from sandbox.model.atomic_file_access import read_ordinary, write_atomically
 from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.file_writing import read_ordinary, write_atomically
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, parse
@@ -157,10 +157,10 @@ def read(path: Path) -> Run:
 def _mistake(first: ErrorDetails) -> tuple[str, Message]:
     """Return the position and the description of a file's mistake."""
     if first["type"] == "json_invalid":
-        rule, place = parse_messages.refused(first["ctx"]["error"])
+        rule, place = parser_error_messages.refused(first["ctx"]["error"])
         return ":".join(map(str, place or ())) or Message("the file"), rule
     inside = brief(".".join(str(step) for step in first["loc"]))
-    return inside or Message("the file"), parse_messages.rule(first, Run)
+    return inside or Message("the file"), parser_error_messages.rule(first, Run)
 
 
 def fingerprint(snapshot: Snapshot) -> str:

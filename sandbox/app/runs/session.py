@@ -15,7 +15,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.model.translatable_message import Message
-from sandbox.physics.measuring.goals import Attempt
+from sandbox.physics.measuring.challenge_goals import Attempt
 from sandbox.physics.state.simulation_errors import SimulationError
 
 if TYPE_CHECKING:

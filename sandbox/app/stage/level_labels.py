@@ -13,7 +13,7 @@ from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.model.joints import End, Held, body_of
 from sandbox.model.shapes import evaluate
-from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.joint_anchors import Anchor
 
 MARGIN = 8  # px, from the corner to the name of the observer
 

@@ -18,11 +18,11 @@ from sandbox.model.level import (
     Stepping,
 )
 from sandbox.model.levels_with_changed_effects import Variation, shown
-from sandbox.physics.measuring.goals import Outcome
+from sandbox.physics.measuring.challenge_goals import Outcome
 from sandbox.physics.measuring.run_comparison import Difference
 
 if TYPE_CHECKING:
-    from sandbox.physics.accuracy.offered_settings import Offer
+    from sandbox.physics.accuracy.candidate_settings import Offer
     from sandbox.physics.accuracy.requested_accuracy import Setting
     from sandbox.physics.accuracy.trusted_digits import Trust
 

@@ -56,7 +56,7 @@ def check(
     it breaks, and a suggestion if possible. Springs and drags that are too strong for the level's
     rate are mistakes, too. Nothing is run.
     """
-    from sandbox.processes import prepare  # what one command needs need not slow all
+    from sandbox.parallel_processes import prepare  # what one command needs need not slow all
 
     jobs = min(os.cpu_count() or 1, len(levels) // SHARE) or 1
     if jobs > 1:

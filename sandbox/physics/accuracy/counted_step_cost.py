@@ -8,7 +8,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from types import FrameType
 
-from sandbox.garbage_pause import uncollected
+from sandbox.garbage_collection_pause import uncollected
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.measuring.recording import count_steps

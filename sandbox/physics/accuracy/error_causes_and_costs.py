@@ -28,7 +28,7 @@ from sandbox.physics.accuracy.compared_runs import (
 )
 from sandbox.physics.accuracy.refinement_scheduling import Refiner, refine
 from sandbox.physics.accuracy.requested_accuracy import Setting, calibrate
-from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.richardson_extrapolation import extrapolated
 from sandbox.physics.accuracy.setting_search import own_run
 from sandbox.physics.accuracy.step_refinement import (
     Refinement,

@@ -7,7 +7,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.physics.accuracy.calibration_cache import resolved
 from sandbox.physics.accuracy.compared_runs import Watched, checked, motion, record
-from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.richardson_extrapolation import extrapolated
 from sandbox.physics.measuring.recording import Trace
 
 

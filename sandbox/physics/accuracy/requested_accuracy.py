@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from sandbox.model.expressions import Values
 from sandbox.model.level import FINEST, Level
 from sandbox.model.translatable_message import Message, both
+from sandbox.physics.accuracy.candidate_settings import REAL_TIME, Offer, SearchResult
 from sandbox.physics.accuracy.chaos_detection import chaotic, prediction_horizon
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, watched
 from sandbox.physics.accuracy.exceptions import AccuracyError
-from sandbox.physics.accuracy.offered_settings import REAL_TIME, Offer, SearchResult
 from sandbox.physics.accuracy.refinement_scheduling import Progress
 from sandbox.physics.accuracy.setting_search import Seeker
 from sandbox.physics.measuring.grading import applies

@@ -17,6 +17,7 @@ from sandbox.model.contact_solver_choice import is_direct, may_be_direct
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
 from sandbox.model.scheme_requirements import unsmooth
+from sandbox.physics.accuracy.candidate_settings import Candidate, Offers, SearchResult
 from sandbox.physics.accuracy.compared_runs import (
     Stop,
     Watched,
@@ -29,7 +30,6 @@ from sandbox.physics.accuracy.compared_runs import (
 from sandbox.physics.accuracy.counted_step_cost import counted_cost
 from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocities
 from sandbox.physics.accuracy.exceptions import AccuracyError
-from sandbox.physics.accuracy.offered_settings import Candidate, Offers, SearchResult
 from sandbox.physics.accuracy.refinement_scheduling import (
     FEWEST,
     Progress,

@@ -14,7 +14,7 @@ from sandbox.physics.accuracy.compared_runs import (
     largest_difference,
 )
 from sandbox.physics.accuracy.event_timing_errors import hidden_error
-from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.richardson_extrapolation import extrapolated
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.stepping.make_world import make_world

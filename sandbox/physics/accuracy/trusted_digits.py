@@ -6,7 +6,7 @@ from math import ceil, floor, isfinite, log10
 
 from sandbox.physics.accuracy.compared_runs import LITTLE, Watched, departure, item_scale
 from sandbox.physics.accuracy.event_timing_errors import hidden_error
-from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.richardson_extrapolation import extrapolated
 from sandbox.physics.measuring.recording import Trace
 
 SEEN = 1e-2

@@ -11,7 +11,7 @@ import pymunk
 
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.level_parts import Fault
-from sandbox.physics.scene.scene import Scene, make_scene
+from sandbox.physics.scene.make_scene import Scene, make_scene
 
 FITS = 1e-6
 """The share of the largest velocity across a joint that counts as rounding of what was typed."""

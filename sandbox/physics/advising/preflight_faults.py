@@ -9,7 +9,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.rules.level_validation import FEWEST, MAX_CORNERS, corners
 from sandbox.model.scheme_requirements import bounds_the_rate
-from sandbox.physics.scene.scene import make_scene
+from sandbox.physics.scene.make_scene import make_scene
 from sandbox.physics.state.simulation_errors import BreakdownError, JointFailure, SimulationError
 
 MOST_PARTS = 10_000

@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.detection.overlaps_at_start import overlaps, tolerated
-from sandbox.physics.scene.scene import make_scene
+from sandbox.physics.scene.make_scene import make_scene
 from sandbox.physics.state.simulation_errors import JointFailure, SimulationError
 
 

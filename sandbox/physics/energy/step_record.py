@@ -7,7 +7,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import XY
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.scene.substep import Substep
 from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot

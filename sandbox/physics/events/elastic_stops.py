@@ -23,13 +23,13 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct.drifts.taut_ropes_and_reached_stops import OFTEN
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.events.breaking_at_impact import broken_jolt
 from sandbox.physics.events.joint_cuts_and_force_switches import NEAR, Part, first_time
 from sandbox.physics.events.joint_impacts import Jolt, jolt
+from sandbox.physics.events.joints_breaking_at_impact import broken_jolt
 from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.shake import TAUT, ExactJoints
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.simulation_errors import JointFailure
 
 TOUCHING = 1e-9

@@ -18,7 +18,7 @@ from sandbox.physics.contacts.impacts.pile_impacts import pushes
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.forces.law import Law
 from sandbox.physics.geometry.outline_distance import surfaces
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.motion import momentum
 
 ITERATIONS = 200

@@ -23,7 +23,7 @@ from sandbox.physics.contacts.direct.rows.row_layout import Surfaces, lay_out
 from sandbox.physics.engine.space_arrays import NO_CONTACTS, Contacts
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.joint_forces import JointForces
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 
 
 class Jolt(NamedTuple):

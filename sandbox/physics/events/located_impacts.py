@@ -26,7 +26,6 @@ from sandbox.physics.contacts.impacts.impact_step_velocity import impacts
 from sandbox.physics.contacts.impacts.pile_impacts import PRESSED
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.engine.space_arrays import Booleans
-from sandbox.physics.events.flight_forces import FlightForces, of_velocity
 from sandbox.physics.events.impact_order import ImpactOrder, Tally
 from sandbox.physics.events.impact_response import (
     Coefficients,
@@ -34,8 +33,12 @@ from sandbox.physics.events.impact_response import (
     Impact,
     ImpactResponse,
 )
+from sandbox.physics.events.velocity_dependent_forces_between_impacts import (
+    FlightForces,
+    of_velocity,
+)
 from sandbox.physics.geometry.outline_distance import Outline, outlines
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.cancellation_points import cancellation_point
 from sandbox.physics.state.motion import Reading, momentum
 

@@ -17,7 +17,7 @@ from sandbox.physics.contacts.impacts.impact_step_velocity import NEGLIGIBLE, ra
 from sandbox.physics.engine.space_arrays import Contacts, Integers
 from sandbox.physics.events.slip_phases import Slips
 from sandbox.physics.geometry.outline_distance import surfaces
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 
 TRIES = 16
 """The most times that a kick is shortened by `SHORTER` for slipping contacts to keep slipping."""

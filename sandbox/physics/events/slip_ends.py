@@ -27,7 +27,7 @@ from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.events.post_event_accelerations import ContinuationSolver
 from sandbox.physics.events.slip_end_detection import SlipDetector
 from sandbox.physics.events.slip_phases import Phase, SlipEntries, Slips, slip_entries
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 
 MOST = 100
 """The most cuts of the drift of a step; slips that end later are left to pymunk."""

@@ -11,7 +11,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import ELASTIC
 from sandbox.model.number_bounds import SpringLaw
 from sandbox.physics.geometry.quadrature import gauss
-from sandbox.physics.state.anchor import Anchor, Complexes
+from sandbox.physics.state.joint_anchors import Anchor, Complexes
 from sandbox.physics.state.motion import Motion
 
 if TYPE_CHECKING:

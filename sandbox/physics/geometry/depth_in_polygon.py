@@ -3,7 +3,7 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 
 def depth(points: Complexes, corners: Complexes) -> Array:

@@ -20,7 +20,7 @@ from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 

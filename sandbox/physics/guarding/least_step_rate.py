@@ -19,9 +19,9 @@ from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.geometry.outline_distance import width, without_feelers
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.scene.stability_limits import PROBE, just_stable, stability_limit
-from sandbox.physics.state.anchor import path_length
+from sandbox.physics.state.joint_anchors import path_length
 from sandbox.physics.state.motion import Instant, Motion
 from sandbox.physics.state.snapshot import Snapshot
 

@@ -25,7 +25,7 @@ from sandbox.physics.guarding.least_step_rate import (
     law_in_words,
     stiffness_bounds,
 )
-from sandbox.physics.guarding.lost_bodies import (
+from sandbox.physics.guarding.non_finite_states import (
     energy_from_scheme,
     is_finite,
     refuse_infinite_energy,

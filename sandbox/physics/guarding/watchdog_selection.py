@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.guarding.lost_bodies import FreeFallWatch
+from sandbox.physics.guarding.non_finite_states import FreeFallWatch
 from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:

@@ -47,7 +47,7 @@ from sandbox.physics.joints.exact.bead_on_wire import WireEquation
 from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Equation
 from sandbox.physics.joints.exact.distance_equations import Row
 from sandbox.physics.joints.scene_joints import Joints
-from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.joint_anchors import Anchor
 
 Lengths = Rod | Rope | Pulley | Rail | Stop
 Turning = Pivot | Weld | Motor | Winding | AngleStop | Gear | Rack

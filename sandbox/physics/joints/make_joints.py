@@ -53,7 +53,7 @@ from sandbox.physics.joints.make_joint_equations import (
 from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.joints.pymunk_joints import OwnJoint
 from sandbox.physics.joints.scene_joints import Joints, Latches
-from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.joint_anchors import Anchor
 from sandbox.physics.state.simulation_errors import JointFailure
 
 NEAR = 1e-9

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from sandbox.physics.joints.exact.shake import ExactJoints
     from sandbox.physics.joints.pulley import PulleyString
     from sandbox.physics.joints.pymunk_joints import OwnJoint
-    from sandbox.physics.state.anchor import Anchor
+    from sandbox.physics.state.joint_anchors import Anchor
 
 
 NO_PAIRS: Integers = np.empty((0, 2), dtype=np.intp)
@@ -67,7 +67,7 @@ class Joints:
 
     def length(self, name: str, motion: Motion) -> Array:
         """Return the length of a joint from end to end, without the part that is wound [m]."""
-        from sandbox.physics.state.anchor import path_length
+        from sandbox.physics.state.joint_anchors import path_length
 
         distance = path_length(self.paths[name], motion)
         radius = self.radii.get(name)

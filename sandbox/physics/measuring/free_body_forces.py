@@ -43,7 +43,7 @@ from sandbox.physics.measuring.contact_forces import (
     with_torque,
 )
 from sandbox.physics.measuring.free_body import HAND, IMPACT, AppliedForce, FreeBody
-from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.joint_anchors import Anchor
 from sandbox.physics.state.motion import Instant, Motion, Reading
 from sandbox.physics.stepping.world import World
 

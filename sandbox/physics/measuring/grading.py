@@ -7,9 +7,9 @@ import numpy as np
 
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Array, Expression, Values
-from sandbox.model.instants import Passage, crossing_of
 from sandbox.model.level import Check, ContactEvent, Instant, SeparationEvent
-from sandbox.physics.measuring.event_interpolation import crossing, value_at, value_before
+from sandbox.model.measuring_instants import Passage, crossing_of
+from sandbox.physics.measuring.interpolation_between_steps import crossing, value_at, value_before
 from sandbox.physics.measuring.recording import Meeting, Trace
 
 Verdict = Literal["passed", "failed", "waiting", "not applicable"]

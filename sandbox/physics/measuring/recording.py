@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.instants import MOST_MEETINGS, Passage, crossing_of
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured
+from sandbox.model.measuring_instants import MOST_MEETINGS, Passage, crossing_of
 from sandbox.model.quantities import TIME, aggregated, quantity
 from sandbox.model.translatable_message import Message
 from sandbox.optional_packages import needed_for
-from sandbox.physics.energy.book_closure import Closing
+from sandbox.physics.energy.balance_check import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.space_arrays import Integers
-from sandbox.physics.measuring.missed_passages import HighestSpeeds
 from sandbox.physics.measuring.running_aggregates import over_time
+from sandbox.physics.measuring.tunnelling_detection import HighestSpeeds
 from sandbox.physics.measuring.unbalanced_contacts import Unbalanced
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.simulation_errors import SimulationError

@@ -11,7 +11,7 @@ from sandbox.model.quantities import COUNT, WITHIN, Component, Quantity, Quantit
 from sandbox.model.shapes import evaluate
 from sandbox.model.translatable_message import Message
 from sandbox.physics.energy.step_record import Measured
-from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.joint_anchors import Anchor
 from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 

@@ -9,7 +9,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import Disc
 from sandbox.physics.engine.pymunk_bodies import local_points
 from sandbox.physics.geometry.depth_in_polygon import depth
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 from sandbox.physics.state.snapshot import Snapshot
 
 

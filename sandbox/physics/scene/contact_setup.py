@@ -8,7 +8,7 @@ from sandbox.model.contact_solver_choice import has_one_sided_joints, is_direct
 from sandbox.model.excluded_pairs import excluded_pairs
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.contacts.coefficients.solver_coefficients import (
+from sandbox.physics.contacts.coefficients.pymunk_coefficients import (
     add_skin,
     correct_contacts,
     give_coefficients,

@@ -10,7 +10,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Integers
 from sandbox.physics.forces.law import make_up
 from sandbox.physics.forces.variable_mass import MassFlows
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.state.motion import Reading
 

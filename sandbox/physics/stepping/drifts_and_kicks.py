@@ -14,11 +14,11 @@ import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.private_handles import gravity_setter, stepper
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.scene.substep import Substep, once
 from sandbox.physics.state.kick_context import Clock, Kick, Work
 from sandbox.physics.stepping.applied_forces import Forces
-from sandbox.physics.stepping.kicks_of_bodies_held_in_place import HeldKicks
+from sandbox.physics.stepping.kicks_without_drift import HeldKicks
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.step_hook import Hook

@@ -11,7 +11,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.cancellation_points import cancellation_point
 from sandbox.physics.state.kick_context import Kick
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from sandbox.model.events import Crossing, SingleEvent, breaking_loads
 from sandbox.model.expressions import Array
-from sandbox.physics.events.breaking_at_impact import SUDDEN
 from sandbox.physics.events.joint_cuts_and_force_switches import NEAR, Part, crosses, within
+from sandbox.physics.events.joints_breaking_at_impact import SUDDEN
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot

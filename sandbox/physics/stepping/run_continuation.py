@@ -8,7 +8,7 @@ from functools import partial
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.model.live_parameters import obstacle
+from sandbox.model.parameters_changeable_in_run import obstacle
 from sandbox.physics.stepping.make_world import make_world
 from sandbox.physics.stepping.state_transfer import begin_late, take_over
 from sandbox.physics.stepping.world import World

@@ -13,7 +13,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.joint_changes import catch, let_go
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.step_plugin import Setup
 

@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.kick_context import Work
 from sandbox.physics.stepping.applied_forces import Forces
 from sandbox.physics.stepping.drifts_and_kicks import Kicks

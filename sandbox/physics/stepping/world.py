@@ -13,7 +13,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.guarding.watchdog_selection import make_watch
-from sandbox.physics.scene.scene import make_scene
+from sandbox.physics.scene.make_scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.initial_state import start
 from sandbox.physics.stepping.plugins.register import declared

@@ -5,7 +5,7 @@ import pytest
 from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.model.loading import parse
-from sandbox.physics.measuring.goals import attempt
+from sandbox.physics.measuring.challenge_goals import attempt
 from sandbox.physics.run import simulate
 from tests.app.building.builder import Builder
 

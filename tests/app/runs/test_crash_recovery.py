@@ -18,7 +18,7 @@ from sandbox.app.runs import crash_recovery, runfile
 from sandbox.app.runs import session as sessions
 from sandbox.app.runs.crash_recovery import OFTEN, LeftRun, RunRecovery, left_runs
 from sandbox.app.runs.session import Session
-from sandbox.model import file_writing, unsaved_files
+from sandbox.model import atomic_file_access, unsaved_files
 from tests.app.person import Person, until
 from tests.app.runs.test_runfile import pulled
 from tests.app.scenes import opened
@@ -193,7 +193,8 @@ def test_a_window_killed_at_any_moment_loses_no_more_than_a_second(
         assert steps - left.run.steps <= 2 * OFTEN * again.world.stepping.rate
         assert 0 < len(left.run.actions) <= actions
         assert runfile.is_same(left.run, again)
-        file_writing.write_atomically(tmp_path / "beside.json", "")  # sweeps what was half written
+        # sweeps what was half written
+        atomic_file_access.write_atomically(tmp_path / "beside.json", "")
         left.file.unlink()
 
 

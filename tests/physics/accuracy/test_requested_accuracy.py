@@ -21,7 +21,7 @@ from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
 from sandbox.physics.accuracy import (
-    offered_settings,
+    candidate_settings,
     refinement_scheduling,
     requested_accuracy,
     setting_search,
@@ -503,10 +503,10 @@ def test_what_smaller_steps_bring_closer_is_not_refused_early() -> None:
 def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for module in (requested_accuracy, offered_settings):  # as if the rest went elsewhere
+    for module in (requested_accuracy, candidate_settings):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     monkeypatch.setattr(
-        offered_settings, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)
+        candidate_settings, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)
     )
     scene = oscillator(c=1)  # no fourth order with a damper
     setting = calibrate(scene, target=1e-9)

@@ -9,7 +9,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.rules.level_validation import corners
 from sandbox.physics.advising import preflight_faults
 from sandbox.physics.advising.preflight_faults import refusal
-from sandbox.physics.scene.scene import make_scene
+from sandbox.physics.scene.make_scene import make_scene
 from tests.physics.scenes import GRAVITY, disc, floor, level
 
 CONTACT = {**GRAVITY, "contact": {}}

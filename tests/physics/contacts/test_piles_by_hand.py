@@ -10,7 +10,7 @@ import pytest
 
 from sandbox.model.contact_solver_choice import MOST_PILED, is_direct
 from sandbox.model.level import Level
-from sandbox.physics.energy.book_closure import Closer
+from sandbox.physics.energy.balance_check import Closer
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World

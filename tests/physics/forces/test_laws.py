@@ -24,7 +24,7 @@ from sandbox.physics.forces.thrust import Thrust
 from sandbox.physics.forces.variable_mass import Flow
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
-from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.joint_anchors import Anchor
 from sandbox.physics.state.motion import Instant
 from tests.physics.scenes import GRAVITY, G, Spec, disc, fixed, level, measured, orbit, worst
 

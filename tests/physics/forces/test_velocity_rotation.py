@@ -47,7 +47,7 @@ def field(monkeypatch: pytest.MonkeyPatch) -> list[VelocityRotation]:
     ) -> tuple[tuple[Law, ...], tuple[VelocityRotation, ...]]:
         return declared_laws.laws(effects, given)[0], tuple(turns)
 
-    monkeypatch.setattr("sandbox.physics.scene.scene.laws", with_field)
+    monkeypatch.setattr("sandbox.physics.scene.make_scene.laws", with_field)
     return turns
 
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sandbox.model.level import Level
-from sandbox.physics.measuring.event_interpolation import crossing
+from sandbox.physics.measuring.interpolation_between_steps import crossing
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.world import World

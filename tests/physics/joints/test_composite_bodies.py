@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sandbox.model.level import Level
-from sandbox.physics.measuring.event_interpolation import crossing, value_at
+from sandbox.physics.measuring.interpolation_between_steps import crossing, value_at
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, floor, level, measured, run, worst

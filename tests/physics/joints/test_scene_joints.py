@@ -14,7 +14,7 @@ from scipy.special import ellipk
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.advising.preflight_faults import refusal
-from sandbox.physics.measuring.event_interpolation import crossing
+from sandbox.physics.measuring.interpolation_between_steps import crossing
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import (

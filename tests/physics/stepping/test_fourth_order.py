@@ -11,7 +11,7 @@ from scipy.special import ellipk
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Scheme, Stepping
-from sandbox.physics.measuring.event_interpolation import crossing
+from sandbox.physics.measuring.interpolation_between_steps import crossing
 from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot
 from tests.physics.scenes import GRAVITY, G, Spec, disc, fixed, floor, level, orbit, run, worst

@@ -5,8 +5,8 @@ import pytest
 
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.live_parameters import obstacle
 from sandbox.model.loading import load
+from sandbox.model.parameters_changeable_in_run import obstacle
 from sandbox.physics.run import build
 from sandbox.physics.stepping.run_continuation import branch
 from sandbox.physics.stepping.world import World

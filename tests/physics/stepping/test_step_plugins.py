@@ -9,7 +9,7 @@ import pytest
 from sandbox.model.level import Level
 from sandbox.physics.engine.broadphase import CROWD
 from sandbox.physics.run import build
-from sandbox.physics.scene.scene import make_scene
+from sandbox.physics.scene.make_scene import make_scene
 from sandbox.physics.stepping import world
 from sandbox.physics.stepping.plugins.register import PLUGINS
 from sandbox.physics.stepping.step_plugin import set_up

@@ -16,7 +16,7 @@ from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import BreakdownError, SimulationError
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping import kicks_of_bodies_held_in_place
+from sandbox.physics.stepping import kicks_without_drift
 from sandbox.physics.stepping.make_world import make_world
 from tests.elsewhere import python
 from tests.physics.scenes import (
@@ -203,7 +203,7 @@ def test_before_the_first_step_only_bodies_that_move_are_held(
 ) -> None:
     """pymunk calls Python for each of them, at each of up to 500 repetitions of a kick."""
     held = set[pymunk.Body]()
-    monkeypatch.setattr(kicks_of_bodies_held_in_place, "_stay", lambda body, _: held.add(body))
+    monkeypatch.setattr(kicks_without_drift, "_stay", lambda body, _: held.add(body))
     things = {"resting": disc((0, 1)), "flying": disc((2, 1), velocity=(3, 4)), "floor": floor()}
 
     world = build(level(things, {**GRAVITY, "contact": {"solver": "iterative"}}))

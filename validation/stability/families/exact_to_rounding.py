@@ -8,8 +8,8 @@ import numpy as np
 from sandbox.model.level import Level
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
+from sandbox.parallel_processes import spread
 from sandbox.physics.run import build
-from sandbox.processes import spread
 from validation.stability.hard_case import HardCase, watch
 from validation.stability.run_measures import Run, measured, naive_of
 

@@ -22,7 +22,7 @@ from sandbox.physics.accuracy.requested_accuracy import BUDGET, Setting
 from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 
 if TYPE_CHECKING:
-    from sandbox.physics.accuracy.offered_settings import Offer
+    from sandbox.physics.accuracy.candidate_settings import Offer
 
 PATIENCE = 0.5  # s without a change before the work starts
 

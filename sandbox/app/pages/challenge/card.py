@@ -12,7 +12,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.challenge import Challenge
-from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
+from sandbox.physics.measuring.challenge_goals import Attempt, Outcome, Standing
 
 NONE = later("This level sets no challenge. Those of the chapter Challenges do.")
 TOUCHED = later("This run was changed by hand, or its effects were: it earns no stars.")

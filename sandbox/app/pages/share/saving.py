@@ -11,8 +11,8 @@ import pygame
 from sandbox.app.files import save_folder
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
+from sandbox.model.atomic_file_access import make_folder, write_atomically
 from sandbox.model.errors import SandboxError
-from sandbox.model.file_writing import make_folder, write_atomically
 from sandbox.model.level_writing import text
 from sandbox.model.quantities import TIME
 from sandbox.physics.measuring.csv_export import to_csv

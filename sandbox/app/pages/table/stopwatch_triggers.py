@@ -9,9 +9,9 @@ from sandbox.app.words.formatting import name_in_words, number
 from sandbox.app.words.language import say
 from sandbox.model.contained_expressions import expressions
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.instants import Passage
 from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, LandingEvent, Level
 from sandbox.model.level_parts import measured
+from sandbox.model.measuring_instants import Passage
 from sandbox.model.quantities import QuantityError
 from sandbox.physics.measuring.grading import time_of
 from sandbox.physics.measuring.recording import Trace, needed_at

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.events import Event, breakable
-from sandbox.model.instants import CrossingEvent
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
+from sandbox.model.measuring_instants import CrossingEvent
 from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.rules.consistency.references_by_name import mentions
 from sandbox.model.switched_forces import switchable

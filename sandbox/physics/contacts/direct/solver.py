@@ -39,7 +39,7 @@ from sandbox.physics.contacts.direct.kicks.speculative_kicks import close_slow_c
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
-from sandbox.physics.contacts.direct.solving.motion_feasibility import is_blocked
+from sandbox.physics.contacts.direct.solving.blocked_drives import is_blocked
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.space_arrays import Batch, Booleans, Contacts

@@ -15,7 +15,6 @@ from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve as CurveShape
 from sandbox.model.translatable_message import Message
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
-from sandbox.physics.contacts.shapes.caps_and_joins import make_ends
 from sandbox.physics.contacts.shapes.corner_feelers import (
     FELT,
     HOLLOW,
@@ -26,6 +25,7 @@ from sandbox.physics.contacts.shapes.corner_feelers import (
     make_feeler,
 )
 from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
+from sandbox.physics.contacts.shapes.line_end_caps_and_joins import make_ends
 from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.geometry.arc_contacts import Arc, Piece
 from sandbox.physics.geometry.convex_decomposition import convex_parts

@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.model.translatable_message import Message
 from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Share
 from sandbox.physics.joints.exact.distance_equations import Row
-from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.joint_anchors import Anchor
 from sandbox.physics.state.simulation_errors import JointFailure
 
 PLANE = -1

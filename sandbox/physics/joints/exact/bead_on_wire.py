@@ -10,7 +10,7 @@ from sandbox.model.translatable_message import Message
 from sandbox.model.wire_points import Points
 from sandbox.physics.geometry.quintic_curve import Quintics
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Share
-from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.joint_anchors import Anchor
 from sandbox.physics.state.simulation_errors import JointFailure
 
 MAX_ITERATIONS = 50

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.constraint_interface import Change, Coordinates, Rows
-from sandbox.physics.state.anchor import Anchor, Complexes
+from sandbox.physics.state.joint_anchors import Anchor, Complexes
 
 TINY = 1e-300
 

@@ -11,8 +11,8 @@ as at the start of a run: from an event within a drift they could not be located
 
 A joint that breaks is an event like others, which waits for its force. If several joints are
 overloaded at once, the most overloaded one breaks first, and may relieve the rest. For a blow see
-`events/breaking_at_impact.py`. Tying a joint, or a bounce off a stop, changes velocities at once,
-in a *jolt*: see `events/joint_impacts.py`.
+`events/joints_breaking_at_impact.py`. Tying a joint, or a bounce off a stop, changes velocities at
+once, in a *jolt*: see `events/joint_impacts.py`.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -26,7 +26,6 @@ from sandbox.model.expressions import Array
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.energy.taut_rope_jerks import reached_by_jerk
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
-from sandbox.physics.events.breaking_at_impact import broken_jolt
 from sandbox.physics.events.elastic_stops import Bounces
 from sandbox.physics.events.joint_cuts_and_force_switches import (
     Part,
@@ -35,6 +34,7 @@ from sandbox.physics.events.joint_cuts_and_force_switches import (
     stored_energy,
 )
 from sandbox.physics.events.joint_impacts import Jolt, jolt
+from sandbox.physics.events.joints_breaking_at_impact import broken_jolt
 from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.joints.joint_forces import JointForces, pulls_of

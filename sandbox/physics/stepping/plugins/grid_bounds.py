@@ -5,7 +5,7 @@ from math import hypot
 import numpy as np
 
 from sandbox.model.translatable_message import Message
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.simulation_errors import SimulationError
 from sandbox.physics.stepping.drifts_and_kicks import Kicks
 from sandbox.physics.stepping.step_plugin import Plugin, Setup

@@ -37,7 +37,7 @@ def bearing(setup: Setup, solve: Work) -> Work:
     together = setup.scene.joints.together
     if not (limits and together):
         return solve
-    from sandbox.physics.events.breaking_at_impact import JointBreaking
+    from sandbox.physics.events.joints_breaking_at_impact import JointBreaking
 
     return JointBreaking(setup.scene, together, limits, setup.kicks.clock.dt, solve)
 

@@ -3,7 +3,7 @@
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.energy.book_closure import Closer
+from sandbox.physics.energy.balance_check import Closer
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
 

@@ -15,7 +15,7 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.physics.contacts.direct.complementarity.islands import islands
-from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting
+from sandbox.physics.contacts.direct.drifts.first_contact_or_edge import FirstMeeting
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingImpact
 from sandbox.physics.contacts.direct.drifts.subdrift_records import around, movable
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder

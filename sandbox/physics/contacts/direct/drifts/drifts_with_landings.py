@@ -26,7 +26,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.drifts.crowded_landings import FORESEEN, crowd, stopped
-from sandbox.physics.contacts.direct.drifts.first_meeting import FirstMeeting, MeetingFinder
+from sandbox.physics.contacts.direct.drifts.first_contact_or_edge import FirstMeeting, MeetingFinder
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.drifts.landing_time_refinement import until_first
 from sandbox.physics.contacts.direct.drifts.slip_ends import slip_ends, until_it_stops

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from sandbox.physics.contacts.direct.drifts.first_meeting import (
+from sandbox.physics.contacts.direct.drifts.first_contact_or_edge import (
     TOGETHER,
     FirstMeeting,
     MeetingFinder,

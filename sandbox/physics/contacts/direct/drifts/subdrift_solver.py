@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.complementarity_problem import Active
-from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
+from sandbox.physics.contacts.direct.drifts.first_contact_or_edge import SOON
 from sandbox.physics.contacts.direct.drifts.subdrift_records import Subdrift, others_of
 from sandbox.physics.contacts.direct.kicks import coupled_impacts
 from sandbox.physics.contacts.direct.kicks.kick_records import Stage

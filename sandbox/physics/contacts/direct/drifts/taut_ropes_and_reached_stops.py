@@ -17,7 +17,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.translatable_message import Message
-from sandbox.physics.contacts.direct.drifts.first_meeting import SOON
+from sandbox.physics.contacts.direct.drifts.first_contact_or_edge import SOON
 from sandbox.physics.contacts.direct.drifts.landing_time_refinement import REFINED, Shortened
 from sandbox.physics.contacts.direct.drifts.subdrift_records import Subdrift
 from sandbox.physics.engine.space_arrays import Booleans

@@ -19,12 +19,17 @@ from sandbox.physics.contacts.direct.prediction.convex_parts import TOUCHING, Pa
 from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.geometry.arc_contacts import Piece, Placed, Touch, to_plane
-from sandbox.physics.geometry.contact_by_pose import ContactGeometry, Trace, trace, trace_convex
+from sandbox.physics.geometry.contacts_at_moved_positions import (
+    ContactGeometry,
+    Trace,
+    trace,
+    trace_convex,
+)
 from sandbox.physics.geometry.curve_contacts import verdict
 from sandbox.physics.geometry.outline_distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.root_finding import root
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.space_arrays import Booleans

@@ -13,7 +13,7 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.physics.geometry import outline_distance
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.space_arrays import Booleans

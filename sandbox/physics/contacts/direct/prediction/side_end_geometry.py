@@ -15,7 +15,7 @@ from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.arc_contacts import Piece
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 
 class EndCrossing(NamedTuple):

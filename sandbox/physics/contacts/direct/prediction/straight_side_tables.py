@@ -10,7 +10,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.prediction.convex_parts import ConvexPart
 from sandbox.physics.contacts.direct.rows.contact_outlines import PARALLEL
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 NEAR = 1e-6
 """m, the largest distance of a contact point from its side, and between sides in one line.

@@ -31,7 +31,7 @@ from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.engine.space_arrays import Booleans, Contacts
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, translations
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.rows.contact_points import ContactPoints

@@ -7,7 +7,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.plane_curve import MiddleLine
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 PARALLEL = 1e-6
 """rad, the largest angle between a side's normal and that of a contact on it."""

@@ -18,7 +18,7 @@ from sandbox.physics.engine.pymunk_bodies import center_of, local_points
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.geometry.curve_contacts import middle_line_of
 from sandbox.physics.geometry.outline_distance import surfaces
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 SLOP = 1e-7
 """m, the default overlap that is left alone: it is larger than `PROUD`, so that bodies stay in

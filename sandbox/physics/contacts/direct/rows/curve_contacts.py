@@ -20,7 +20,7 @@ from sandbox.physics.contacts.direct.rows.contact_outlines import Figures
 from sandbox.physics.engine.space_arrays import Booleans, Integers
 from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.geometry.plane_curve import CurvePoint, MiddleLine
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 ACROSS = 1e-7
 """m, how far beyond its end a curve still counts as touched from the side, and not at its end."""

@@ -34,7 +34,7 @@ from sandbox.physics.contacts.direct.rows.curve_contacts import (
 )
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
-from sandbox.physics.state.anchor import Complexes
+from sandbox.physics.state.joint_anchors import Complexes
 
 OUT = FROM_TO[::-1]
 """The sign of the direction from each of the two bodies to the other."""

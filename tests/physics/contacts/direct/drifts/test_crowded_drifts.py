@@ -11,7 +11,7 @@ from sandbox.physics.contacts.direct import solver
 from sandbox.physics.contacts.direct.drifts import drifts_with_landings
 from sandbox.physics.contacts.direct.drifts.drifts_with_landings import DriftCutter
 from sandbox.physics.contacts.direct.drifts.subdrift_records import Subdrift
-from sandbox.physics.energy.book_closure import Closer
+from sandbox.physics.energy.balance_check import Closer
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
 

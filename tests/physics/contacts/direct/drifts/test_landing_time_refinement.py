@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from sandbox.physics.contacts.detection.time_of_impact import Hit
-from sandbox.physics.contacts.direct.drifts.first_meeting import (
+from sandbox.physics.contacts.direct.drifts.first_contact_or_edge import (
     FirstMeeting,
     PossibleMeetings,
     moments,

@@ -5,14 +5,14 @@ from collections.abc import Callable
 
 import pytest
 
-from sandbox.cli import reference
+from sandbox.cli import write_reference_pages
 from sandbox.cli.commands import COMMANDS
-from sandbox.cli.reference import FOLDER, PAGES
+from sandbox.cli.write_reference_pages import FOLDER, PAGES
 from sandbox.model import joints, level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import MisuseError
-from sandbox.model.schema import schema
 from sandbox.model.translatable_message import Message
+from sandbox.model.write_json_schema import schema
 
 
 @pytest.mark.parametrize(("name", "page"), PAGES.items(), ids=PAGES)
@@ -23,9 +23,9 @@ def test_the_pages_in_the_docs_are_up_to_date(name: str, page: Callable[[], str]
 
 
 def test_every_key_of_every_part_of_a_level_has_its_row() -> None:
-    page, whole = reference.level_format(), schema()
+    page, whole = write_reference_pages.level_format(), schema()
     for name, part in whole["$defs"].items():
-        if name not in reference.SHORTHAND:
+        if name not in write_reference_pages.SHORTHAND:
             _, _, own = page.partition(f"\n## {name}\n")
             table = own.partition("\n## ")[0]
             keys = set(part.get("properties", {})) - {"repeat"}
@@ -36,7 +36,7 @@ def test_every_key_of_every_part_of_a_level_has_its_row() -> None:
 def test_defaults_are_written_as_a_level_writes_them() -> None:
     cells = [
         line.split(" | ")[2].strip()
-        for line in reference.level_format().splitlines()
+        for line in write_reference_pages.level_format().splitlines()
         if line.startswith("| `")
     ]
     literals = [cell.strip("`") for cell in cells if cell.startswith("`")]
@@ -47,7 +47,7 @@ def test_defaults_are_written_as_a_level_writes_them() -> None:
 
 
 def test_every_joint_effect_and_command_is_there() -> None:
-    quantities, commands = reference.all_quantities(), reference.commands()
+    quantities, commands = write_reference_pages.all_quantities(), write_reference_pages.commands()
 
     assert all(f"\n| {name} | `joint." in quantities for name in joints.KINDS)
     assert all(
@@ -64,5 +64,5 @@ def test_an_installed_package_writes_no_reference(
 
     monkeypatch.setattr(level_catalog, "sources", sources)
 
-    assert reference.main() == 2
+    assert write_reference_pages.main() == 2
     assert "a checkout" in capsys.readouterr().err

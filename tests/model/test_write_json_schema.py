@@ -11,9 +11,9 @@ from sandbox.model import level_catalog
 from sandbox.model.effects import Effects
 from sandbox.model.level import Level
 from sandbox.model.loading import read
-from sandbox.model.schema import main, schema, text, write
 from sandbox.model.schema_examples import UNUSED, add_examples, fields
-from sandbox.model.shorthand.schema import TEMPLATE
+from sandbox.model.shorthand.json_schema import TEMPLATE
+from sandbox.model.write_json_schema import main, schema, text, write
 
 SCHEMA = schema()
 

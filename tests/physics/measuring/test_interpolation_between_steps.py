@@ -5,7 +5,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from sandbox.physics.measuring.event_interpolation import crossing, value_at
+from sandbox.physics.measuring.interpolation_between_steps import crossing, value_at
 
 T = np.arange(20) / 7
 NUMBER = st.floats(-10, 10)

@@ -3,7 +3,7 @@
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.energy.book_closure import Closing
+from sandbox.physics.energy.balance_check import Closing
 from sandbox.physics.run import simulate
 from tests.physics.scenes import (
     GRAVITY,

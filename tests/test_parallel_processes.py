@@ -12,7 +12,7 @@ import pytest
 
 from sandbox.interrupts import ENDED, INTERRUPTED, SIGNALS, STATUS
 from sandbox.model.errors import SandboxError
-from sandbox.processes import METHOD, spread
+from sandbox.parallel_processes import METHOD, spread
 from tests.elsewhere import PATIENCE, ROOT, python
 from tests.patience import alive
 
@@ -33,7 +33,7 @@ def until(holds: Callable[[], bool]) -> bool:
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="asks the kernel")
 def test_the_server_of_processes_hears_no_signal_even_while_it_starts() -> None:
     code = (
-        "from sandbox import processes; processes.prepare()\n"
+        "from sandbox import parallel_processes; parallel_processes.prepare()\n"
         "from multiprocessing.forkserver import _forkserver\n"
         "from multiprocessing.resource_tracker import _resource_tracker\n"
         "from pathlib import Path\n"
@@ -57,14 +57,14 @@ def test_a_signal_while_a_process_starts_waits_until_it_has_started(number: sign
     code = (
         "import os\n"
         "from multiprocessing.popen_forkserver import Popen\n"
-        "from sandbox import interrupts, processes\n"
+        "from sandbox import interrupts, parallel_processes\n"
         "launch = Popen._launch\n"
         "def interrupted(*arguments):\n"
         "    launch(*arguments)\n"
         f"    os.kill(os.getpid(), {number:d})\n"
         "Popen._launch = interrupted\n"
         "interrupts.install()\n"
-        "list(processes.spread(abs, [-1], 1))\n"
+        "list(parallel_processes.spread(abs, [-1], 1))\n"
     )
 
     done = python("-c", code)
@@ -112,11 +112,11 @@ def test_a_closed_terminal_ends_the_process_and_all_that_it_has_started(tmp_path
     master, terminal = os.openpty()
     code = (
         "import fcntl, termios\n"
-        "from sandbox import interrupts, processes\n"
+        "from sandbox import interrupts, parallel_processes\n"
         "from tests.patience import linger\n"
         "interrupts.install()\n"
         "fcntl.ioctl(0, termios.TIOCSCTTY, 0)\n"
-        f"list(processes.spread(linger, [{str(tmp_path)!r}] * 2, 2))"
+        f"list(parallel_processes.spread(linger, [{str(tmp_path)!r}] * 2, 2))"
     )
     with subprocess.Popen(
         [sys.executable, "-c", code],

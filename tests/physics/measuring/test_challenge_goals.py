@@ -3,7 +3,7 @@
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.measuring.goals import Attempt, attempt
+from sandbox.physics.measuring.challenge_goals import Attempt, attempt
 from sandbox.physics.run import simulate
 from tests.physics.scenes import GRAVITY, G, Spec, disc, level
 

@@ -10,7 +10,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Stepping
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.engine.space_arrays import Contacts
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.simulation_errors import SimulationError, way_out
 from sandbox.physics.state.snapshot import Snapshot

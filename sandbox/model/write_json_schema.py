@@ -1,4 +1,7 @@
-"""The JSON Schema of the level format, for editors; `python -m sandbox.model.schema` writes it."""
+"""Makes the JSON Schema of the level format, for editors.
+
+`python -m sandbox.model.write_json_schema` writes it to `levels/level.schema.json`.
+"""
 
 import json
 import sys
@@ -10,15 +13,15 @@ from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema, to_jsonable_python
 
 from sandbox.model import level_catalog
+from sandbox.model.atomic_file_access import generate, write_atomically
 from sandbox.model.base import Model
 from sandbox.model.comments import SIGN
 from sandbox.model.expressions import Expression
-from sandbox.model.file_writing import generate, write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import read
 from sandbox.model.reference_fields import NAMES
 from sandbox.model.schema_examples import add_examples
-from sandbox.model.shorthand.schema import Each, Typed, with_repeats
+from sandbox.model.shorthand.json_schema import Each, Typed, with_repeats
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 

@@ -8,7 +8,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.event_timing_errors import hidden_error
-from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.richardson_extrapolation import extrapolated
 from sandbox.physics.accuracy.step_refinement import largest_relative_difference, with_errors
 from sandbox.physics.measuring.recording import Trace
 from tests.physics.scenes import GRAVITY, G, disc, level, orbit

@@ -13,7 +13,7 @@ from sandbox.physics.contacts.shapes.pymunk_shapes import INSET, SKIN
 from sandbox.physics.engine.pymunk_bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
 from sandbox.physics.run import build
-from sandbox.physics.scene.scene import Scene, make_scene
+from sandbox.physics.scene.make_scene import Scene, make_scene
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, run
 
 EVERYTHING: Spec = {**GRAVITY, "contact": {}, "rotation": {}}

@@ -1,4 +1,7 @@
-"""The JSON Schema of the experiment format; `python -m sandbox.experiments.schema` writes it."""
+"""Makes the JSON Schema of the experiment format.
+
+`python -m sandbox.experiments.write_json_schema` writes it to `experiments`.
+"""
 
 import json
 import sys
@@ -6,9 +9,9 @@ from pathlib import Path
 
 from sandbox.experiments import catalog
 from sandbox.experiments.experiment_file import Experiment
-from sandbox.model import schema as levels
+from sandbox.model import write_json_schema as levels
+from sandbox.model.atomic_file_access import write_atomically
 from sandbox.model.errors import SandboxError
-from sandbox.model.file_writing import write_atomically
 from sandbox.model.level_catalog import sources
 
 

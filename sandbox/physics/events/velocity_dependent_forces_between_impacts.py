@@ -16,7 +16,7 @@ from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.velocity_rotation import quarter_turn
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.motion import Reading, momentum
 
 

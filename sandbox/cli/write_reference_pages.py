@@ -1,6 +1,6 @@
 """Generates the reference pages of the documentation from the code's declarations.
 
-`python -m sandbox.cli.reference` writes them to `docs/reference`.
+`python -m sandbox.cli.write_reference_pages` writes them to `docs/reference`.
 """
 
 import json
@@ -14,10 +14,10 @@ import typer
 
 from sandbox.cli.commands import app
 from sandbox.model import joints, level_catalog, quantities
+from sandbox.model.atomic_file_access import generate, write_atomically
 from sandbox.model.effects import EFFECTS
-from sandbox.model.file_writing import generate, write_atomically
 from sandbox.model.loading import parse
-from sandbox.model.schema import schema
+from sandbox.model.write_json_schema import schema
 
 FOLDER = Path("docs") / "reference"
 """The folder of the pages, within a checkout."""

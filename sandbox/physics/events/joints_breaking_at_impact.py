@@ -30,7 +30,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.events.joint_impacts import Jolt
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.joint_changes import let_go
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.kick_context import Kick, Work
 
 SUDDEN = 0.5

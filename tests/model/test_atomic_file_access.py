@@ -4,9 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.model import file_writing
-from sandbox.model.errors import MisuseError, SandboxError
-from sandbox.model.file_writing import (
+from sandbox.model import atomic_file_access
+from sandbox.model.atomic_file_access import (
     TakenError,
     check_writable,
     folder_of_files,
@@ -14,6 +13,7 @@ from sandbox.model.file_writing import (
     read_ordinary,
     write_atomically,
 )
+from sandbox.model.errors import MisuseError, SandboxError
 from sandbox.model.translatable_message import Message
 from tests.elsewhere import python
 
@@ -53,7 +53,8 @@ def test_a_write_that_breaks_off_leaves_what_was_there(
 @pytest.mark.skipif(os.name == "nt", reason="nobody can be asked there whether a process lives")
 def test_what_a_killed_process_has_begun_to_write_goes_with_the_next_file(tmp_path: Path) -> None:
     code = (
-        "import os, signal; from pathlib import Path; from sandbox.model.file_writing import *\n"
+        "import os, signal; from pathlib import Path\n"
+        "from sandbox.model.atomic_file_access import *\n"
         "Path.replace = lambda *_: os.kill(os.getpid(), signal.SIGKILL)\n"
         f"write_atomically(Path({str(tmp_path / 'file')!r}), 'half')"
     )
@@ -209,7 +210,8 @@ def test_who_may_read_and_write_a_file_stays_as_it_was(tmp_path: Path, mode: int
 def test_a_file_stays_whose_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "file").touch()
     theirs = 4321, 1234
-    monkeypatch.setattr(file_writing, "_owner", lambda _path: theirs)  # as if somebody else wrote
+    # as if somebody else wrote
+    monkeypatch.setattr(atomic_file_access, "_owner", lambda _path: theirs)
     given = list[tuple[int, int]]()
     monkeypatch.setattr(os, "chown", lambda _path, *owner: given.append(owner))
 
@@ -230,7 +232,7 @@ def test_of_two_who_make_one_file_the_first_has_it(
         check(path)
         path.write_text("theirs")
 
-    monkeypatch.setattr(file_writing, "check_writable", overtaken)
+    monkeypatch.setattr(atomic_file_access, "check_writable", overtaken)
     if not linked:  # a file system that has none
         monkeypatch.setattr(os, "link", lambda *_args, **_rest: os.stat("/nowhere"))
 
