@@ -51,7 +51,7 @@ def animation(trace: Trace) -> Animation:
     """
     _draw_without_window()
     from sandbox.app.film import film
-    from sandbox.app.runs.runfile import run_of
+    from sandbox.app.runs.run_file import run_of
     from sandbox.app.runs.session import Session
 
     level = trace.level.model_copy(update={"stepping": trace.stepping})

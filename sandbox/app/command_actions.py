@@ -11,6 +11,7 @@ from pathlib import Path
 import pygame
 
 from sandbox.app.files import save_folder
+from sandbox.app.open_level_and_panels import Workspace
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
@@ -18,10 +19,9 @@ from sandbox.app.panels.verdicts_and_energies import FIRST, NEXT
 from sandbox.app.panels.window_layout import room
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import level_labels
-from sandbox.app.stage.observer import CENTER
+from sandbox.app.stage.frame_of_reference import CENTER
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.file_dialog import SMALLEST
-from sandbox.app.window_contents import Workspace
 from sandbox.app.window_keys import AT_HOME
 from sandbox.app.words.language import say
 from sandbox.model import level_catalog

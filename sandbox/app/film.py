@@ -8,7 +8,7 @@ from math import ceil
 from pathlib import Path
 from typing import Literal
 
-from sandbox.app.runs.runfile import Run
+from sandbox.app.runs.run_file import Run
 from sandbox.app.words.language import later, say
 from sandbox.model.atomic_file_access import write_atomically
 from sandbox.model.errors import SandboxError
@@ -66,7 +66,7 @@ def _frames(
     import pygame
 
     from sandbox.app.drawing.text import Pen
-    from sandbox.app.runs.runfile import session_of
+    from sandbox.app.runs.run_file import session_of
     from sandbox.app.stage.stage import Stage
 
     pygame.font.init()

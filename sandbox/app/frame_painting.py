@@ -5,12 +5,12 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.measuring import trail_probe
 from sandbox.app.observing.earlier_runs import have_same_bodies
+from sandbox.app.open_level_and_panels import Workspace
 from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import stage_messages
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import run_legend
-from sandbox.app.window_contents import Workspace
 
 
 def paint(space: Workspace) -> None:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from sandbox.app.files.level_entries import entry
+from sandbox.app.files.level_list_entries import entry
 from sandbox.app.files.recent_files import Recent
 from sandbox.app.panels import level_list
 

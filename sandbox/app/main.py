@@ -9,7 +9,7 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app.home.draft_strip import notice, unsaved
+from sandbox.app.home.unfinished_work_strip import notice, unsaved
 from sandbox.app.malloc_tuning import give_back_large_blocks
 from sandbox.app.window import Window
 

@@ -9,7 +9,7 @@ from sandbox.app.measuring.protractor import Protractor
 from sandbox.app.measuring.tape import Tape
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.widgets.slider_steps import rounded
+from sandbox.app.widgets.round_slider_steps import rounded
 from sandbox.model.errors import ValueRangeError
 from sandbox.model.shapes import XY
 

@@ -13,8 +13,8 @@ from time import perf_counter
 import pygame
 
 from sandbox.app.drawing import theme
+from sandbox.app.open_level_and_panels import Workspace
 from sandbox.app.panels import stage_messages
-from sandbox.app.window_contents import Workspace
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.physics.state.cancellation_points import cancellable

@@ -7,16 +7,16 @@ from time import perf_counter
 import pygame
 
 from sandbox.app.command_actions import CommandActions
-from sandbox.app.event_dispatch import EventDispatch
 from sandbox.app.files.open_level_watch import FileWatch
 from sandbox.app.frame_budget import FrameBudget
 from sandbox.app.frame_painting import paint
 from sandbox.app.impact_sounds import Sounds
+from sandbox.app.input_event_dispatch import EventDispatch
 from sandbox.app.malloc_tuning import give_back_gaps
+from sandbox.app.open_level_and_panels import SIZE, Workspace
 from sandbox.app.pages.register import preload
 from sandbox.app.responding_during_long_frames import LongFrameWatch
 from sandbox.app.runs.session import Session
-from sandbox.app.window_contents import SIZE, Workspace
 from sandbox.app.words.language import say
 
 RATE = 60  # frames per second

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import typer
 
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from sandbox.cli import argument_parsing
 from sandbox.physics.measuring.grading import grade
 
@@ -13,9 +13,9 @@ def replay(path: Path) -> int:
     """Repeat a run, print whether it is identical bit by bit, and return the exit status."""
     if not path.is_file():
         raise argument_parsing.UsageError(f"{path}: there is no such file")
-    run = runfile.read(path)
-    session = runfile.replay(run)
-    same = runfile.is_same(run, session)
+    run = run_file.read(path)
+    session = run_file.replay(run)
+    same = run_file.is_same(run, session)
     verdict = "the same to the last bit" if same else "its final state differs from the saved one"
     did = f", {len(run.actions)} actions of the user" if run.actions else ""
     typer.echo(f"{session.level.title}: {run.steps} steps to t = {session.t:.6g} s{did}: {verdict}")

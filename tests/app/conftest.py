@@ -16,7 +16,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import challenge_stars, preferences, recent_files
-from sandbox.app.files.level_entries import Entry
+from sandbox.app.files.level_list_entries import Entry
 from sandbox.app.home import picture_cache
 from sandbox.app.panels import level_list
 from sandbox.app.runs import crash_recovery

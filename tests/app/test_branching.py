@@ -7,7 +7,7 @@ import pytest
 from pygame_gui.elements import UIButton
 
 from sandbox.app.pages.level.panel import LevelPage
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from sandbox.app.runs.session import Session
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
@@ -40,13 +40,13 @@ def test_a_branched_run_from_a_file_is_the_same_to_the_last_bit(name: str, tmp_p
     for _ in range(12):
         session.step()
     assert session.failure is None
-    runfile.save(runfile.run_of(session), tmp_path / "run.json")
+    run_file.save(run_file.run_of(session), tmp_path / "run.json")
 
-    run = runfile.read(tmp_path / "run.json")
+    run = run_file.read(tmp_path / "run.json")
 
-    assert runfile.is_same(run, runfile.replay(run))
+    assert run_file.is_same(run, run_file.replay(run))
     straight = run.model_copy(update={"actions": ()})
-    assert runfile.replay(straight).values != session.values
+    assert run_file.replay(straight).values != session.values
 
 
 def test_the_way_back_over_a_branch_leads_into_the_old_run_and_forgets_the_branch() -> None:

@@ -4,7 +4,7 @@ import pygame
 import pytest
 from pygame_gui.core import UIElement
 
-from sandbox.app.widgets.widget_helpers import Row
+from sandbox.app.widgets.widget_states_and_scrolling import Row
 from sandbox.model import level_catalog
 from tests.app.person import Person
 

@@ -15,8 +15,8 @@ from sandbox.app.building.editor import Editor
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import challenge_stars
-from sandbox.app.home import draft_strip, picture_cache
-from sandbox.app.home.home import Home
+from sandbox.app.home import picture_cache, unfinished_work_strip
+from sandbox.app.home.level_gallery import Home
 from sandbox.app.home.picture_cache import SIZE
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
@@ -468,7 +468,7 @@ def test_what_was_not_saved_is_offered_above_the_cards_and_gone_on_with(
     person.press(pygame.K_F2)
     person.wait()
     (left,) = recoverable()
-    assert draft_strip.summary(left).startswith("Not saved: Lost and found, drawn ")
+    assert unfinished_work_strip.summary(left).startswith("Not saved: Lost and found, drawn ")
     assert card(person, "Free fall").top > home(person).strip.rect_of(0).bottom
 
     person.click(home(person).strip.rect_of(0))
@@ -487,7 +487,9 @@ def test_a_drawing_that_nobody_has_named_is_offered_in_the_language_of_the_windo
     drawn_and_lost("New level")
     (left,) = recoverable()
 
-    assert draft_strip.summary(left).startswith("Not saved: a level without a name, drawn ")
+    assert unfinished_work_strip.summary(left).startswith(
+        "Not saved: a level without a name, drawn "
+    )
 
 
 def test_without_drafts_the_cards_have_all_the_room(visitor: Person) -> None:
@@ -504,7 +506,7 @@ def test_a_draft_that_says_no_title_is_offered_all_the_same() -> None:
 
     (left,) = recoverable()
 
-    assert "a level without a name" in draft_strip.summary(left)
+    assert "a level without a name" in unfinished_work_strip.summary(left)
 
 
 def test_a_chapter_above_the_cards_leads_to_its_own(visitor: Person) -> None:

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from sandbox.app import malloc_tuning, window, window_contents
+from sandbox.app import malloc_tuning, open_level_and_panels, window
 from tests.app.person import Person
 
 FREED = """
@@ -70,7 +70,7 @@ def test_a_level_that_is_opened_gives_back_what_the_last_one_has_left(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     times = list[int]()
-    monkeypatch.setattr(window_contents, "give_back_gaps", lambda: times.append(1))
+    monkeypatch.setattr(open_level_and_panels, "give_back_gaps", lambda: times.append(1))
 
     person.window.open_level("newton/atwood")
 

@@ -6,8 +6,8 @@ import pytest
 
 from sandbox.app.measuring import trail_probe
 from sandbox.app.pages.forces.panel import ForcesPage
+from sandbox.app.stage.frame_of_reference import CENTER, Observer
 from sandbox.app.stage.level_labels import seen_from
-from sandbox.app.stage.observer import CENTER, Observer
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.run import build

@@ -5,11 +5,11 @@ import pytest
 from pygame_gui import UIManager
 from pygame_gui.elements import UIScrollingContainer
 
-from sandbox.app.cards.card import COLUMNS, INDENT, Card
 from sandbox.app.cards.energy import energy, total
+from sandbox.app.cards.text_column import COLUMNS, INDENT, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing.energy_books import Energies
+from sandbox.app.observing.energy_history_and_balance import Energies
 from sandbox.app.panels import play_bar
 from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs.session import Session

@@ -5,7 +5,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.home.home import Home
+from sandbox.app.home.level_gallery import Home
 from sandbox.app.home.playing_preview import AFTER, LASTING, Preview, is_expensive
 from sandbox.model import level_catalog
 from sandbox.model.loading import load

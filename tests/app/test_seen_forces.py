@@ -13,7 +13,7 @@ from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.joint_polylines import between_ends
-from sandbox.app.stage.overlays import contacts, instantaneous_center_of_rotation, loads
+from sandbox.app.stage.overlays import contacts, loads, rotation_velocities_and_center
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.stage import Stage
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL
@@ -169,12 +169,12 @@ def test_a_strut_pushes_in_dashes(pen: Pen) -> None:
 
 def test_a_wheel_that_rolls_turns_about_its_point_of_contact(pen: Pen) -> None:
     session = run("rotation/rolling", 60)
-    view = stage(pen, session, "instantaneous_center_of_rotation").view
+    view = stage(pen, session, "rotation_velocities_and_center").view
     assert {outline.name for outline in view.moving} == {"disc", "hoop"}
     for outline in view.moving:
         spin = float(session.world.snapshot.angular_velocity[outline.row])
         (x, y), (vx, vy) = view.state(outline)[0], view.velocity(outline)
-        center = instantaneous_center_of_rotation.center_of_rotation(view, outline, spin)
+        center = rotation_velocities_and_center.center_of_rotation(view, outline, spin)
         assert outline.radius is not None
 
         away = hypot(center[0] - x, center[1] - y)
@@ -188,15 +188,15 @@ def test_a_body_that_moves_as_a_whole_has_no_arrows_at_its_corners(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The corners of a car and its load nearly hid the wheels, whose points differ in velocity."""
-    view = stage(pen, run("machines/car-over-bumps", 240), "instantaneous_center_of_rotation").view
+    view = stage(pen, run("machines/car-over-bumps", 240), "rotation_velocities_and_center").view
     arrows = list[object]()
     monkeypatch.setattr(lines, "arrow", lambda *drawn: arrows.append(drawn))
 
-    instantaneous_center_of_rotation._draw(pygame.Surface(SIZE), view)
+    rotation_velocities_and_center._draw(pygame.Surface(SIZE), view)
 
     wheels = [outline for outline in view.moving if outline.radius is not None]
     assert len(wheels) == 2
-    assert len(arrows) == len(wheels) * instantaneous_center_of_rotation.AROUND
+    assert len(arrows) == len(wheels) * rotation_velocities_and_center.AROUND
 
 
 @pytest.mark.parametrize("width", [620, 440, 360])
@@ -213,7 +213,7 @@ def test_a_key_too_wide_for_the_stage_is_written_smaller(pen: Pen, width: int) -
 
 
 @pytest.mark.parametrize(
-    "overlay", [contacts.OVERLAY, loads.OVERLAY, instantaneous_center_of_rotation.OVERLAY]
+    "overlay", [contacts.OVERLAY, loads.OVERLAY, rotation_velocities_and_center.OVERLAY]
 )
 def test_the_page_of_the_forces_has_a_button_for_it(person: Person, overlay: Overlay) -> None:
     person.window.open_level("rotation/rolling")

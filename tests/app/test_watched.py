@@ -6,8 +6,8 @@ from typing import Any
 import pygame
 import pytest
 
-from sandbox.app.cards.card import Card
 from sandbox.app.cards.energy import ledger
+from sandbox.app.cards.text_column import Card
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.model import level_catalog

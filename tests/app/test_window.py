@@ -17,7 +17,7 @@ from sandbox.app.panels import stage_messages
 from sandbox.app.panels.play_bar import Controls
 from sandbox.app.panels.verdicts_and_energies import counts_in_words
 from sandbox.app.panels.window_layout import divide
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import Name
 from sandbox.model import level_catalog
@@ -709,9 +709,9 @@ def test_a_run_is_played_again_by_dropping_its_file(person: Person, tmp_path: Pa
         if step == 12:
             session.release()
         session.step()
-    saved = runfile.run_of(person.session)
-    path = tmp_path / f"mine{runfile.SUFFIX}"
-    runfile.save(saved, path)
+    saved = run_file.run_of(person.session)
+    path = tmp_path / f"mine{run_file.SUFFIX}"
+    run_file.save(saved, path)
     person.window.open_level("kinematics/free-fall")
 
     pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))
@@ -721,7 +721,7 @@ def test_a_run_is_played_again_by_dropping_its_file(person: Person, tmp_path: Pa
     while person.session.world.steps < saved.steps:
         person.session.step()
 
-    assert runfile.is_same(saved, person.session)
+    assert run_file.is_same(saved, person.session)
     assert person.window.path is None
     assert person.window.banner.is_showing(f"{path.name} plays again, with all of your actions")
     assert person.session.actions
@@ -734,9 +734,9 @@ def test_the_window_does_not_stand_still_while_a_run_looks_for_its_setting(
     level = load(level_catalog.find("kinematics/projectile"))
     asking = level.model_copy(update={"stepping": Stepping(accuracy=1e-6)})
     stated = asking.model_dump(mode="json", by_alias=True, exclude_defaults=True)
-    saved = runfile.run_of(Session(level)).model_copy(update={"level": stated})
-    path = tmp_path / f"mine{runfile.SUFFIX}"
-    runfile.save(saved, path)
+    saved = run_file.run_of(Session(level)).model_copy(update={"level": stated})
+    path = tmp_path / f"mine{run_file.SUFFIX}"
+    run_file.save(saved, path)
     monkeypatch.setattr(
         "sandbox.physics.accuracy.calibration_cache.calibrated", lambda *_: pytest.fail("waits")
     )
@@ -748,7 +748,7 @@ def test_the_window_does_not_stand_still_while_a_run_looks_for_its_setting(
 
 
 def test_a_file_of_a_run_that_is_none_says_so(person: Person, tmp_path: Path) -> None:
-    path = tmp_path / f"mine{runfile.SUFFIX}"
+    path = tmp_path / f"mine{run_file.SUFFIX}"
     path.write_text("{}", encoding="utf-8")
 
     pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))

@@ -12,7 +12,7 @@ from sandbox.app import main, window_benchmark
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.panels.verdicts_and_energies import Footer
-from sandbox.app.widgets.widget_helpers import Row
+from sandbox.app.widgets.widget_states_and_scrolling import Row
 from sandbox.app.window import Window
 from sandbox.model.level import Level
 from sandbox.model.level_catalog import find

@@ -2,14 +2,14 @@
 
 from pathlib import Path
 
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from tests.app.scenes import opened
 from tests.cli.helpers import Run
 
 
 def test_says_whether_a_run_is_the_same(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "run.json"
-    runfile.save(runfile.run_of(opened("newton/atwood", 40)), path)
+    run_file.save(run_file.run_of(opened("newton/atwood", 40)), path)
 
     outcome = run("replay", str(path))
 
@@ -20,9 +20,9 @@ def test_says_whether_a_run_is_the_same(run: Run, tmp_path: Path) -> None:
 
 def test_one_bit_is_told(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "run.json"
-    saved = runfile.run_of(opened("newton/atwood", 40))
+    saved = run_file.run_of(opened("newton/atwood", 40))
     least = {**saved.parameters, "m1": saved.parameters["m1"] * (1 + 2**-52)}
-    runfile.save(saved.model_copy(update={"parameters": least}), path)
+    run_file.save(saved.model_copy(update={"parameters": least}), path)
 
     outcome = run("replay", str(path))
 

@@ -18,8 +18,8 @@ from time import process_time
 import typer
 
 from sandbox.app.files import challenge_stars, preferences, recent_files
-from sandbox.app.home.draft_strip import summary
-from sandbox.app.runs import crash_recovery, runfile
+from sandbox.app.home.unfinished_work_strip import summary
+from sandbox.app.runs import crash_recovery, run_file
 from sandbox.app.runs.session import Session
 from sandbox.editing import draft_recovery
 from sandbox.editing.draft import Draft
@@ -54,8 +54,8 @@ class Kind:
 
 
 def _run(path: Path) -> None:
-    run = runfile.read(path)
-    runfile.replay(run.model_copy(update={"steps": min(run.steps, STEPS)}))
+    run = run_file.read(path)
+    run_file.replay(run.model_copy(update={"steps": min(run.steps, STEPS)}))
 
 
 def _left(_: Path) -> None:
@@ -76,7 +76,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
     session.do_again((), 5)
     session.branch({"m1": 2.0})
     session.do_again(session.run.script, 10)
-    run = [runfile.file_content(runfile.run_of(session))]
+    run = [run_file.file_content(run_file.run_of(session))]
     text, data = level.text, ["# by hand\nt,left.position.y\n0,0\n0.1,0.01\n0.2,0.04\n"]
     shipped = [catalog.find(name).read_text(encoding="utf-8") for name in catalog.names()]
     draft = draft_recovery.RecoveryFile(
@@ -84,8 +84,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
     ).model_dump_json()
     chosen = preferences.Preferences(size=100, language="de").model_dump_json()
     return {
-        "run": Kind(run, folder / f"x{runfile.SUFFIX}", _run),
-        "left run": Kind(run, crash_recovery.folder() / f"{NAME}{runfile.SUFFIX}", _left),
+        "run": Kind(run, folder / f"x{run_file.SUFFIX}", _run),
+        "left run": Kind(run, crash_recovery.folder() / f"{NAME}{run_file.SUFFIX}", _left),
         "draft": Kind([draft], draft_recovery.folder() / f"{NAME}.draft.json", _drafts),
         "experiment": Kind(shipped, folder / "e.json", catalog.open_plan),
         "data": Kind(data, folder / "d.csv", lambda path: read_data(path, level)),

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 import pygame
 
 from sandbox.app.building import editor_keys
+from sandbox.app.building.build_or_run_switch import ModeSwitch
 from sandbox.app.building.current_tool import FIRST, Toolbox
 from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.editor_on_stage import EditorOnStage
 from sandbox.app.building.effect_costs import EffectCosts
 from sandbox.app.building.live_edits import KEPT
-from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.rerun_after_edit import Applying
-from sandbox.app.building.saving import Saving
+from sandbox.app.building.saving_and_reloading import Saving
 from sandbox.app.building.trial_run_history import TrialRuns
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session

@@ -6,10 +6,10 @@ from typing import Protocol
 
 import pygame
 
+from sandbox.app.building.build_or_run_switch import ModeSwitch
 from sandbox.app.building.current_tool import FIRST, Toolbox
 from sandbox.app.building.edited_level import EditedLevel
-from sandbox.app.building.mode_switch import ModeSwitch
-from sandbox.app.building.saving import Saving
+from sandbox.app.building.saving_and_reloading import Saving
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.runs.session import Session
 from sandbox.app.window_keys import CONTROL

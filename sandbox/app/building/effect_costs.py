@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from sandbox.app.background import BackgroundTask
+from sandbox.app.background_process import BackgroundTask
 from sandbox.app.words.formatting import number
 from sandbox.app.words.language import say
 from sandbox.editing.edits.effects import costs

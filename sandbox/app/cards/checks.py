@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card
+from sandbox.app.cards.text_column import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.running_checks import Reading
+from sandbox.app.observing.checks_of_unfinished_run import Reading
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_translation import Say, title

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card, bar
+from sandbox.app.cards.text_column import GAP, Card, bar
 from sandbox.app.drawing import energy_graph, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.energy_books import Energies
+from sandbox.app.observing.energy_history_and_balance import Energies
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say, say_in
 from sandbox.physics.energy.balance import Balance

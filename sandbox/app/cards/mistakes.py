@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import pygame
 
-from sandbox.app.cards.card import Card
+from sandbox.app.cards.text_column import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.words.language import say

@@ -6,7 +6,7 @@ from itertools import groupby
 
 from pygame import Rect
 
-from sandbox.app.files.level_entries import Entry
+from sandbox.app.files.level_list_entries import Entry
 from sandbox.app.words.language import say
 
 MARGIN = 24  # px, around all cards

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app.background import BackgroundTask
+from sandbox.app.background_process import BackgroundTask
 from sandbox.app.home import picture_cache
 from sandbox.app.home.picture_cache import SIZE
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import islice
 from math import hypot, sqrt
 
-from sandbox.app.observing.forces_on_selection import FAINT, without_rounding
+from sandbox.app.observing.forces_on_selected_body import FAINT, without_rounding
 from sandbox.app.words import formatting
 from sandbox.model.body import Body
 from sandbox.model.joints import End, Held, Joint, Pulley, Wire, points

@@ -10,7 +10,7 @@ from pygame_gui.elements import UIButton, UIHorizontalSlider, UIScrollingContain
 from sandbox.app.drawing import theme
 from sandbox.app.panels.window_layout import Layout
 from sandbox.app.widgets.text_field import Field
-from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
+from sandbox.app.widgets.widget_states_and_scrolling import scroll_position, scroll_to
 
 Containers = Mapping[int, UIScrollingContainer]
 Stop = UIButton | Field | UIHorizontalSlider

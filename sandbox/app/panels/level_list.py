@@ -16,10 +16,15 @@ from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.challenge_stars import Progress
-from sandbox.app.files.level_entries import Entry, entry
+from sandbox.app.files.level_list_entries import Entry, entry
 from sandbox.app.keymap import tip
 from sandbox.app.widgets.text_field import LONGEST, Field
-from sandbox.app.widgets.widget_helpers import Row, scroll_position, scroll_to, show_pressed
+from sandbox.app.widgets.widget_states_and_scrolling import (
+    Row,
+    scroll_position,
+    scroll_to,
+    show_pressed,
+)
 from sandbox.app.words.language import plural, say
 from sandbox.model import level_catalog
 from sandbox.model.atomic_file_access import without_links

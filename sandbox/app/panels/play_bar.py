@@ -10,7 +10,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.panels.button_bar import GAP, MARGIN, Bar
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.app.widgets.widget_helpers import show_pressed
+from sandbox.app.widgets.widget_states_and_scrolling import show_pressed
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 

@@ -6,11 +6,11 @@ import pygame
 from pygame_gui import UIManager
 
 from sandbox.app.cards import mistakes
-from sandbox.app.cards.card import Card
+from sandbox.app.cards.text_column import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.scrolling_area import Sheet, below
-from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
+from sandbox.app.widgets.widget_states_and_scrolling import scroll_position, scroll_to
 from sandbox.app.words.language import plural, say
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import read

@@ -20,7 +20,7 @@ from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Footer, View
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Parameters
 from sandbox.app.widgets.scrolling_area import MARGIN, Panel, Sheet
-from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
+from sandbox.app.widgets.widget_states_and_scrolling import scroll_position, scroll_to
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError

@@ -11,7 +11,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.drawing.text import Pen
 from sandbox.app.keymap import tip
 from sandbox.app.pages.page import Page
-from sandbox.app.widgets.widget_helpers import show_pressed, stretched
+from sandbox.app.widgets.widget_states_and_scrolling import show_pressed, stretched
 from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a tab

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.running_checks import Reading, RunGrader
+from sandbox.app.observing.checks_of_unfinished_run import Reading, RunGrader
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.words import formatting

@@ -6,7 +6,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import NamedTuple
 
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from sandbox.app.runs.session import Session
 from sandbox.model.atomic_file_access import data_folder
 from sandbox.model.errors import SandboxError
@@ -30,7 +30,7 @@ class LeftRun(NamedTuple):
     file: Path
     when: float
     """s, since 1970, when it was written"""
-    run: runfile.Run
+    run: run_file.Run
 
     @property
     def title(self) -> str:
@@ -42,7 +42,7 @@ class LeftRun(NamedTuple):
 
         Raises `SandboxError` if the level cannot be run, as another version of the program may do.
         """
-        session = runfile.session_of(self.run, patient=False)
+        session = run_file.session_of(self.run, patient=False)
         session.repeats = self.run.repeats
         session.resume(self.run.actions, self.run.steps)
         return session
@@ -52,7 +52,7 @@ class RunRecovery:
     """Keeps a file of the run of a window."""
 
     def __init__(self) -> None:
-        self._file = UnsavedFile(runfile.SUFFIX)
+        self._file = UnsavedFile(run_file.SUFFIX)
         self._kept: tuple[object, int, int] = _NEVER  # the run, its steps and actions when written
         self._wait = OFTEN  # s
         self._replaced: Path | None = None
@@ -66,7 +66,7 @@ class RunRecovery:
             return NOTHING
         begun, why = perf_counter(), NOTHING
         if session.world.steps or session.touched:
-            why = self._file.write(folder(), runfile.file_content(runfile.run_of(session)))
+            why = self._file.write(folder(), run_file.file_content(run_file.run_of(session)))
         else:
             self._file.forget(folder())
         self._kept, self._wait = now, max(OFTEN, SPARING * (perf_counter() - begun))
@@ -88,9 +88,9 @@ class RunRecovery:
 def left_runs(most: int) -> Sequence[LeftRun]:
     """Return the runs left by windows that have ended, the newest ones, these first."""
     found = []
-    for file in nlargest(most, leftovers(folder(), runfile.SUFFIX), key=_written):
+    for file in nlargest(most, leftovers(folder(), run_file.SUFFIX), key=_written):
         try:
-            found.append(LeftRun(file, _written(file), runfile.read(file)))
+            found.append(LeftRun(file, _written(file), run_file.read(file)))
         except SandboxError:  # a file of another program
             continue
     return found

@@ -6,20 +6,20 @@ from copy import copy
 from time import thread_time
 from typing import TYPE_CHECKING, Literal
 
-from sandbox.app.observing import measured_events
+from sandbox.app.observing import events_of_checks
+from sandbox.app.observing.checks_of_unfinished_run import Reading, RunGrader, TimeShare
 from sandbox.app.observing.earlier_runs import Earlier, RunObservations, with_one_more
-from sandbox.app.observing.energy_books import Books
+from sandbox.app.observing.energy_history_and_balance import Books
+from sandbox.app.observing.events_of_checks import Milestone
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.impacts import ImpactLog, ImpactMarks
-from sandbox.app.observing.measured_events import Milestone
-from sandbox.app.observing.running_checks import Reading, RunGrader, TimeShare
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.keyframes import Keyframe, Keyframes
 from sandbox.app.runs.play_speed import Pace
-from sandbox.app.runs.run_limits import Limits
 from sandbox.app.runs.run_start import RunStart
 from sandbox.app.runs.step_timer import StepTimer
+from sandbox.app.runs.time_and_memory_limits import Limits
 from sandbox.app.runs.user_interventions import Action, perform
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -76,7 +76,7 @@ class LiveRun:
         self.keyframes = Keyframes(world)  # shared with the run as it was before
         self._whole: LiveRun | None = None  # the run as it was before, in the same world
         self._fork: World | None = None  # the world before the last branch
-        graded = *needed(original), *needed(world.level), *measured_events.needed(world.level)
+        graded = *needed(original), *needed(world.level), *events_of_checks.needed(world.level)
         self._quantities = tuple(dict.fromkeys(graded))
         self.limits = Limits()
         self._patience = TimeLimit()

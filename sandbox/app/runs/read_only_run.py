@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from sandbox.app.observing.earlier_runs import Earlier, RunObservations, have_same_bodies
-from sandbox.app.observing.energy_books import Books
+from sandbox.app.observing.energy_history_and_balance import Books
 from sandbox.app.observing.thinned_history import History
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companion_runs import Companion

@@ -1,6 +1,6 @@
 """Searches in the background for remedies for a run that failed."""
 
-from sandbox.app.background import BackgroundTask
+from sandbox.app.background_process import BackgroundTask
 from sandbox.app.runs.session import Session
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.physics.state.simulation_errors import BlockedError, BreakdownError, SimulationError

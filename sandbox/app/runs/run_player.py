@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from math import inf
 from time import perf_counter
 
+from sandbox.app.observing.checks_of_unfinished_run import Reading
 from sandbox.app.observing.earlier_runs import RunObservations
+from sandbox.app.observing.events_of_checks import Milestone
 from sandbox.app.observing.impacts import Flash
-from sandbox.app.observing.measured_events import Milestone
-from sandbox.app.observing.running_checks import Reading
 from sandbox.app.runs.abandoned_run_records import Records
 from sandbox.app.runs.grabbed_body import Grip
 from sandbox.app.runs.live_run import LiveRun

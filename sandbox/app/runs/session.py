@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from sandbox.app.observing.forces_on_selection import SelectedBody
+from sandbox.app.observing.forces_on_selected_body import SelectedBody
 from sandbox.app.runs.companion_runs import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.run_player import AT_ONCE, Playback

@@ -11,16 +11,16 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.body_outlines import Outline, outlines
+from sandbox.app.stage.frame_of_reference import Observer
 from sandbox.app.stage.given_force_arrows import Forces
 from sandbox.app.stage.label_placement import Labels
-from sandbox.app.stage.observer import Observer
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
-    from sandbox.app.observing.forces_on_selection import SelectedBody
+    from sandbox.app.observing.forces_on_selected_body import SelectedBody
     from sandbox.app.observing.impacts import Flash
     from sandbox.app.observing.thinned_series import ThinnedSeries
     from sandbox.model.expressions import Array

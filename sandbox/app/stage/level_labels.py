@@ -6,7 +6,7 @@ import pygame
 
 from sandbox.app.drawing import lines
 from sandbox.app.stage.drawing_context import View
-from sandbox.app.stage.observer import CENTER
+from sandbox.app.stage.frame_of_reference import CENTER
 from sandbox.app.words import level_translation
 from sandbox.app.words.formatting import name_in_words
 from sandbox.app.words.language import say

@@ -5,8 +5,8 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from sandbox.app.stage.frame_of_reference import Observer
 from sandbox.app.stage.motion_annotations import PATH_POINTS, ghost_positions
-from sandbox.app.stage.observer import Observer
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level

@@ -11,7 +11,7 @@ from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.measured_events import Milestone
+from sandbox.app.observing.events_of_checks import Milestone
 from sandbox.app.stage.body_outlines import Outline
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.formatting import name_in_words, nice, number

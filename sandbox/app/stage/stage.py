@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing.measured_events import Milestone
+from sandbox.app.observing.events_of_checks import Milestone
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companion_runs import Companion
 from sandbox.app.stage import (
@@ -26,12 +26,12 @@ from sandbox.app.stage import (
 )
 from sandbox.app.stage.body_outlines import Outline
 from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.frame_of_reference import Observer
 from sandbox.app.stage.given_force_arrows import Arrow
 from sandbox.app.stage.label_placement import Labels
-from sandbox.app.stage.landscape import Relief
-from sandbox.app.stage.observer import Observer
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
+from sandbox.app.stage.potential_landscape import Relief
 from sandbox.app.words import level_translation
 from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate

@@ -9,7 +9,7 @@ from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContaine
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.widgets.slider_steps import rounded, step_size
+from sandbox.app.widgets.round_slider_steps import rounded, step_size
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import formatting
 from sandbox.app.words.level_translation import Say

@@ -11,7 +11,7 @@ from pygame_gui.core import UIAppearanceTheme, UIElement
 from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app.widgets.appearance_cache import AppearanceCache
-from sandbox.app.widgets.widget_helpers import Row
+from sandbox.app.widgets.widget_states_and_scrolling import Row
 
 Ids = list[str | None] | None
 """The ids of a widget and of its containers, from the outermost inwards."""

@@ -8,7 +8,7 @@ from pygame_gui.core import UIElement
 
 from sandbox.app.building.editor import Editor
 from sandbox.app.pages.build.panel import BuildPage
-from sandbox.app.widgets.widget_helpers import scroll_position, scroll_to
+from sandbox.app.widgets.widget_states_and_scrolling import scroll_position, scroll_to
 from sandbox.model.shapes import XY
 from tests.app.person import Person
 

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.app.building.tools.joining import CLICKS, PLAIN, kinds
 from sandbox.app.drawing import theme
-from sandbox.app.pages.build import sections
+from sandbox.app.pages.build import mistakes_suggestions_and_effects
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
@@ -439,7 +439,9 @@ def test_the_page_tells_what_each_effect_costs(builder: Builder) -> None:
     costs = builder.editor.costs
     until(builder.person, lambda: not costs.running)
     builder.person.wait(0.2)
-    shown = " ".join(block.text for block in sections.subject(builder.editor))
+    shown = " ".join(
+        block.text for block in mistakes_suggestions_and_effects.subject(builder.editor)
+    )
     assert re.search(r"Time of a step: .*drag [+-][\d.]+ µs", shown)
     builder.at(-0.5, 0)
     builder.key(pygame.K_RIGHT)  # what was measured was of another level

@@ -6,7 +6,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.building.draft_and_version_choices import choices
+from sandbox.app.building.draft_recovery_and_conflict_choices import choices
 from sandbox.app.building.drafts import OFTEN
 from sandbox.app.building.editor import Editor
 from sandbox.app.window import Window

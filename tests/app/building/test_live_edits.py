@@ -5,11 +5,11 @@ from typing import Any
 import pygame
 import pytest
 
-from sandbox.app.pages.build import sections
+from sandbox.app.pages.build import mistakes_suggestions_and_effects
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.register import PAGES
-from sandbox.app.runs import runfile
-from sandbox.app.runs.runfile import Run
+from sandbox.app.runs import run_file
+from sandbox.app.runs.run_file import Run
 from sandbox.model.loading import parse
 from tests.app.building.builder import Builder
 from tests.app.person import until
@@ -133,19 +133,19 @@ def test_a_run_that_was_changed_comes_from_its_file_to_the_last_bit(running: Bui
     running.person.wait(0.2)
     session = running.person.session
     session.playing = False
-    run = Run.model_validate_json(runfile.run_of(session).model_dump_json())
+    run = Run.model_validate_json(run_file.run_of(session).model_dump_json())
 
-    assert runfile.is_same(run, runfile.replay(run))
+    assert run_file.is_same(run, run_file.replay(run))
 
 
 def test_what_is_changed_last_is_part_of_the_file_at_once(running: Builder) -> None:
     running.key(pygame.K_SPACE, " ")
     dropped(running)
-    run = runfile.run_of(running.person.session)
+    run = run_file.run_of(running.person.session)
 
-    assert runfile.is_same(run, runfile.replay(run))
+    assert run_file.is_same(run, run_file.replay(run))
     straight = run.model_copy(update={"actions": ()})
-    assert not runfile.is_same(run, runfile.replay(straight))
+    assert not run_file.is_same(run, run_file.replay(straight))
 
 
 def test_undo_takes_back_the_change_then_the_run_and_redo_brings_both(running: Builder) -> None:
@@ -244,9 +244,11 @@ def test_the_page_tells_that_no_check_holds_for_a_run_that_was_changed(running: 
     dropped(running)
     told = [
         block.text
-        for block in sections.mistakes_and_choices(running.editor, running.person.session)
+        for block in mistakes_suggestions_and_effects.mistakes_and_choices(
+            running.editor, running.person.session
+        )
     ]
-    assert sections.NO_FORMULA in told
+    assert mistakes_suggestions_and_effects.NO_FORMULA in told
 
 
 @pytest.mark.sweep

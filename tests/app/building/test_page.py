@@ -3,13 +3,13 @@
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.app.pages.build import sections
-from sandbox.app.widgets.widget_helpers import scroll_position
+from sandbox.app.pages.build import mistakes_suggestions_and_effects
+from sandbox.app.widgets.widget_states_and_scrolling import scroll_position
 from tests.app.building.builder import Builder
 
 
 def texts(builder: Builder) -> list[str]:
-    return [block.text for block in sections.subject(builder.editor)]
+    return [block.text for block in mistakes_suggestions_and_effects.subject(builder.editor)]
 
 
 def test_it_says_when_effects_and_checks_are_shown_and_a_button_leads_there(

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from sandbox.app.drawing import energy_graph, theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.energy_books import INSTANTS
+from sandbox.app.observing.energy_history_and_balance import INSTANTS
 from sandbox.app.panels.verdicts_and_energies import HIGH, check_summary
 from sandbox.app.runs.session import Session
 from sandbox.app.words import language

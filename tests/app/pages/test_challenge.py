@@ -9,7 +9,7 @@ from sandbox.app.files.challenge_stars import Progress
 from sandbox.app.pages.challenge.card import NONE
 from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.panels.level_list import LevelList
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from sandbox.model import level_catalog
 from tests.app.person import Person
 
@@ -121,8 +121,8 @@ def test_a_run_from_a_file_earns_no_stars(person: Person, tmp_path: Path) -> Non
     """Somebody else may have made it, for a level that makes it easy."""
     person.window.open_level(LEVEL)
     person.session.restart({"m2": 2, "v1": 3})
-    path = tmp_path / f"won{runfile.SUFFIX}"
-    runfile.save(runfile.run_of(person.session), path)
+    path = tmp_path / f"won{run_file.SUFFIX}"
+    run_file.save(run_file.run_of(person.session), path)
 
     person.window.open_level(str(path))
     wait_for_the_end(person)

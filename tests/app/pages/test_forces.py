@@ -9,7 +9,7 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing import forces_on_selection
+from sandbox.app.observing import forces_on_selected_body
 from sandbox.app.pages.forces import card, force_diagrams
 from sandbox.app.pages.forces.component_axes import Axes, components
 from sandbox.app.pages.forces.panel import ForcesPage
@@ -56,7 +56,9 @@ def words(pen: Pen, net: float) -> pygame.Surface:
     """Return what the polygon says about the sum."""
     sheet = pygame.Surface((WIDTH, 20))
     sheet.fill(theme.STAGE)
-    sheet.blit(pen.write(f"sum {forces_on_selection.newtons(net)} N", 12, theme.RESULTANT), (4, 2))
+    sheet.blit(
+        pen.write(f"sum {forces_on_selected_body.newtons(net)} N", 12, theme.RESULTANT), (4, 2)
+    )
     return sheet
 
 
@@ -162,7 +164,7 @@ def test_the_polygon_ends_where_the_sum_does(pen: Pen, level: str) -> None:
 
     picture = force_diagrams.polygon(pen, (WIDTH, card.POLYGON), found)
 
-    net = hypot(*forces_on_selection.without_rounding(found.net, found))
+    net = hypot(*forces_on_selected_body.without_rounding(found.net, found))
     arrow = pixels(picture, theme.RESULTANT) - pixels(words(pen, net), theme.RESULTANT)
     assert (arrow > 20) == (net > 0)
 
@@ -174,8 +176,10 @@ def test_a_force_that_is_rounding_beside_the_others_is_left_out() -> None:
     more = FreeBody(**{f: getattr(found, f) for f in found.__slots__} | {
         "forces": (*found.forces, faint)})  # fmt: skip
 
-    assert faint not in forces_on_selection.not_negligible(more)
-    assert forces_on_selection.not_negligible(more) == forces_on_selection.not_negligible(found)
+    assert faint not in forces_on_selected_body.not_negligible(more)
+    assert forces_on_selected_body.not_negligible(more) == forces_on_selected_body.not_negligible(
+        found
+    )
 
 
 def test_a_level_in_which_nothing_moves_by_forces_says_so(pen: Pen) -> None:
@@ -210,7 +214,7 @@ def test_the_scale_of_the_arrows_changes_seldom() -> None:
 
 def test_of_several_forces_of_a_name_who_gives_each_is_told() -> None:
     found = at(stepped("hard/stack-of-40-directly"))
-    texts = [text for _, text in forces_on_selection.texts(found)]
+    texts = [text for _, text in forces_on_selected_body.texts(found)]
 
     assert "weight 9.81 N" in texts
     assert any(text.startswith("from ground ") for text in texts)
@@ -232,10 +236,13 @@ def test_no_two_forces_on_a_body_are_named_alike(
 ) -> None:
     session = stepped(level, 20)
     session.looking.chosen = body
-    for told in (forces_on_selection.texts(at(session)), forces_on_selection.titles(at(session))):
+    for told in (
+        forces_on_selected_body.texts(at(session)),
+        forces_on_selected_body.titles(at(session)),
+    ):
         assert len({text for _, text in told}) == len(told)
 
-    texts = [text.rsplit(" ", 2)[0] for _, text in forces_on_selection.texts(at(session))]
+    texts = [text.rsplit(" ", 2)[0] for _, text in forces_on_selected_body.texts(at(session))]
     assert set(names) <= set(texts)
 
 
@@ -259,7 +266,7 @@ def test_forces_along_one_line_all_have_their_words(
     monkeypatch.setattr(Labels, "place_for", noted)
     force_diagrams.free_body(pen, (WIDTH, card.DIAGRAM), found)
 
-    assert len(places) == len(forces_on_selection.not_negligible(found))
+    assert len(places) == len(forces_on_selected_body.not_negligible(found))
     assert not any(a.colliderect(b) for a, b in combinations(places, 2))
 
 
@@ -287,13 +294,13 @@ def test_the_stage_and_the_page_tell_one_size_while_the_run_plays(
     person.session.step()
     person.wait()
     told: list[tuple[str, ...]] = []
-    texts = forces_on_selection.texts
+    texts = forces_on_selected_body.texts
 
     def noted(found: FreeBody) -> Sequence[tuple[AppliedForce, str]]:
         told.append(tuple(text for _, text in texts(found)))
         return texts(found)
 
-    monkeypatch.setattr(forces_on_selection, "texts", noted)
+    monkeypatch.setattr(forces_on_selected_body, "texts", noted)
     person.session.playing = True
     before = person.session.world.steps
     person.wait(0.2)
@@ -303,11 +310,11 @@ def test_the_stage_and_the_page_tell_one_size_while_the_run_plays(
 
 
 def test_every_force_has_a_colour() -> None:
-    assert {"weight", NORMAL, FRICTION, "tension", "drag"} <= set(forces_on_selection.colors())
+    assert {"weight", NORMAL, FRICTION, "tension", "drag"} <= set(forces_on_selected_body.colors())
     assert (
-        forces_on_selection.colors()["weight"]
-        != forces_on_selection.colors()[NORMAL]
-        != forces_on_selection.colors()[FRICTION]
+        forces_on_selected_body.colors()["weight"]
+        != forces_on_selected_body.colors()[NORMAL]
+        != forces_on_selected_body.colors()[FRICTION]
     )
 
 

@@ -10,8 +10,8 @@ from sandbox.app.pages.momentum import card
 from sandbox.app.pages.momentum.card import LABEL, MOST, bodies, explained_change, momentum
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import momentum_scale
+from sandbox.app.stage.frame_of_reference import CENTER
 from sandbox.app.stage.level_labels import seen_from
-from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.overlays.momenta import OVERLAY
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load

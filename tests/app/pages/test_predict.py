@@ -8,8 +8,8 @@ from typing import Any
 import pygame
 import pytest
 
-from sandbox.app.cards.card import Card
 from sandbox.app.cards.checks import TOUCHED
+from sandbox.app.cards.text_column import Card
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.predict import card, neglected_effects

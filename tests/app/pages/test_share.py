@@ -9,11 +9,11 @@ import pygame
 import pytest
 
 from sandbox.app import film
-from sandbox.app.background import Background
+from sandbox.app.background_process import Background
 from sandbox.app.files import save_folder
 from sandbox.app.pages.share.background_film import FilmWorker
 from sandbox.app.pages.share.panel import KINDS, SharePage
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import level_catalog
@@ -79,10 +79,10 @@ def test_a_run_is_replayed_to_the_last_bit(person: Person, folder: Path) -> None
     person.click(shown.button("Run").rect)
 
     (file,) = folder.iterdir()
-    run = runfile.read(file)
+    run = run_file.read(file)
     assert run.steps == steps
     assert run.parameters["m2"] == 2.0
-    assert runfile.is_same(run, runfile.replay(run))
+    assert run_file.is_same(run, run_file.replay(run))
 
 
 def test_a_copy_of_a_level_has_its_present_values(person: Person, folder: Path) -> None:
@@ -127,7 +127,7 @@ def test_a_film_shows_the_run_from_its_start_to_its_end(kind: film.Kind, tmp_pat
     for _ in range(30):
         session.step()
 
-    *done, told = film.film(runfile.run_of(session), tmp_path / f"x.{kind}", kind)
+    *done, told = film.film(run_file.run_of(session), tmp_path / f"x.{kind}", kind)
 
     assert told == f"saved {tmp_path / f'x.{kind}'}"
     assert all(0 <= share <= 1 for share in done if isinstance(share, float))
@@ -148,7 +148,7 @@ def test_without_an_encoder_for_videos_a_run_can_be_a_gif(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(__import__("sys").modules, "av", None)
-    run = runfile.run_of(Session(load(level_catalog.find("newton/atwood"))))
+    run = run_file.run_of(Session(load(level_catalog.find("newton/atwood"))))
 
     assert list(film.film(run, tmp_path / "x.mp4", "mp4")) == [film.LACKING]
     assert not list(tmp_path.iterdir())
@@ -161,7 +161,7 @@ def test_a_film_shows_what_the_observer_sees(tmp_path: Path) -> None:
     session = Session(scenes.level())
     for _ in range(30):
         session.step()
-    run, moved = runfile.run_of(session), []
+    run, moved = run_file.run_of(session), []
     for place in (None, "ball"):
         path = tmp_path / f"{place}.gif"
         list(film.film(run, path, "gif", place))

@@ -13,14 +13,14 @@ import pygame
 import pytest
 
 from sandbox.app import main
-from sandbox.app.home import draft_strip
-from sandbox.app.runs import crash_recovery, runfile
+from sandbox.app.home import unfinished_work_strip
+from sandbox.app.runs import crash_recovery, run_file
 from sandbox.app.runs import session as sessions
 from sandbox.app.runs.crash_recovery import OFTEN, LeftRun, RunRecovery, left_runs
 from sandbox.app.runs.session import Session
 from sandbox.model import atomic_file_access, unsaved_files
 from tests.app.person import Person, until
-from tests.app.runs.test_runfile import pulled
+from tests.app.runs.test_run_file import pulled
 from tests.app.scenes import opened
 from tests.elsewhere import limited
 
@@ -59,7 +59,9 @@ def test_a_run_that_was_lost_goes_on_where_it_was_to_the_last_bit(
 
     assert (again.world.steps, again.values) == (60, session.values)
     assert list(again.all_actions) == list(session.all_actions)
-    assert runfile.fingerprint(again.world.snapshot) == runfile.fingerprint(session.world.snapshot)
+    assert run_file.fingerprint(again.world.snapshot) == run_file.fingerprint(
+        session.world.snapshot
+    )
     assert not again.playing
     assert not again.repeats  # its challenge may still be won
 
@@ -116,7 +118,7 @@ def test_a_lost_run_is_offered_above_the_cards_and_gone_on_with(person: Person) 
     person.window.open_level("kinematics/free-fall")
     person.press(pygame.K_F2)
     (left,) = left_runs(3)
-    assert draft_strip.summary(left).startswith("Not saved: the run of Atwood machine, ")
+    assert unfinished_work_strip.summary(left).startswith("Not saved: the run of Atwood machine, ")
 
     person.click(person.window.panels.home.strip.rect_of(0))
     until(person, lambda: person.session.level.title == "Atwood machine")
@@ -192,7 +194,7 @@ def test_a_window_killed_at_any_moment_loses_no_more_than_a_second(
         again.do_again(again.run.script, left.run.steps)
         assert steps - left.run.steps <= 2 * OFTEN * again.world.stepping.rate
         assert 0 < len(left.run.actions) <= actions
-        assert runfile.is_same(left.run, again)
+        assert run_file.is_same(left.run, again)
         # sweeps what was half written
         atomic_file_access.write_atomically(tmp_path / "beside.json", "")
         left.file.unlink()

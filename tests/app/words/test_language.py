@@ -13,8 +13,8 @@ import pygame
 import pytest
 
 from sandbox import app
-from sandbox.app.cards.card import Card
 from sandbox.app.cards.energy import ledger
+from sandbox.app.cards.text_column import Card
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import preferences, save_folder
 from sandbox.app.pages.challenge.panel import ChallengePage

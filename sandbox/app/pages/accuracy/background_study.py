@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from sandbox.app.background import BackgroundTask, Work
+from sandbox.app.background_process import BackgroundTask, Work
 from sandbox.app.pages.effects import switching_effects
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card
+from sandbox.app.cards.text_column import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color

@@ -12,7 +12,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
 from sandbox.app.widgets.scrolling_area import Sheet
 from sandbox.app.widgets.text_field import Field
-from sandbox.app.widgets.widget_helpers import show_pressed
+from sandbox.app.widgets.widget_states_and_scrolling import show_pressed
 from sandbox.app.words.language import later, say
 from sandbox.model.json_positions import Path
 

@@ -12,14 +12,14 @@ from sandbox.app.building import inspected_fields
 from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.editable_fields import Row
 from sandbox.app.building.editor import Editor
-from sandbox.app.pages.build import sections
+from sandbox.app.pages.build import mistakes_suggestions_and_effects
 from sandbox.app.pages.build.inspector import Inspector, Line
-from sandbox.app.pages.build.sections import Block
+from sandbox.app.pages.build.mistakes_suggestions_and_effects import Block
 from sandbox.app.pages.build.toolbar import Palette
 from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet
-from sandbox.app.widgets.widget_helpers import scroll_to, show_pressed
+from sandbox.app.widgets.widget_states_and_scrolling import scroll_to, show_pressed
 from sandbox.app.words.language import say
 from sandbox.model import json_positions
 
@@ -198,7 +198,7 @@ class BuildPage:
     def _blocks(self) -> Blocks:
         """Return the blocks above and below the field for a file name."""
         editor = self._editor
-        below = sections.subject(editor)
+        below = mistakes_suggestions_and_effects.subject(editor)
         if editor.saving.naming:
             save_here = ButtonAction(
                 say("Save here"), say("write the file (Enter)"), self._save_here
@@ -207,9 +207,9 @@ class BuildPage:
                 say("Do not save"), say("continue without saving (Esc)"), editor.saving.stop_naming
             )
             below.insert(0, Block("", actions=(save_here, leave)))
-        return sections.mistakes_and_choices(editor, self._session), [
+        return mistakes_suggestions_and_effects.mistakes_and_choices(editor, self._session), [
             *below,
-            *sections.arranging(editor),
+            *mistakes_suggestions_and_effects.arranging(editor),
         ]
 
     def _build(

@@ -13,7 +13,12 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.pages.build.widget_column import GAP, HEIGHT, SIZE, SMALL, side_by_side
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet
-from sandbox.app.widgets.widget_helpers import set_enabled, show, show_pressed, stretched
+from sandbox.app.widgets.widget_states_and_scrolling import (
+    set_enabled,
+    show,
+    show_pressed,
+    stretched,
+)
 from sandbox.app.words.language import later, say, say_in
 
 ACROSS = 4

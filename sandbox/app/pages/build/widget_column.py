@@ -7,7 +7,7 @@ from pygame_gui.core import ObjectID, UIElement
 from pygame_gui.elements import UIButton
 
 from sandbox.app.building.button_action import ButtonAction
-from sandbox.app.cards.card import Card, heading
+from sandbox.app.cards.text_column import Card, heading
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color

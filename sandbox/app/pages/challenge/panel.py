@@ -7,7 +7,7 @@ from sandbox.app.pages.challenge.card import hints, standing, task
 from sandbox.app.pages.challenge.judge import Judge
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet, below
-from sandbox.app.widgets.widget_helpers import show
+from sandbox.app.widgets.widget_states_and_scrolling import show
 from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 

@@ -7,14 +7,14 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.cards.card import label
-from sandbox.app.observing.running_checks import TimeShare
+from sandbox.app.cards.text_column import label
+from sandbox.app.observing.checks_of_unfinished_run import TimeShare
 from sandbox.app.pages.effects import switching_effects
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.companion_runs import NONE
 from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
-from sandbox.app.widgets.widget_helpers import set_enabled, show_pressed
+from sandbox.app.widgets.widget_states_and_scrolling import set_enabled, show_pressed
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.levels_with_changed_effects import DEFAULTS

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pygame
 
-from sandbox.app.cards.card import GAP, Card
+from sandbox.app.cards.text_column import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.experiment.background_parameter_sweep import Point

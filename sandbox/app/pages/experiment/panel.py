@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_SELECTION_LIST_NEW_SELECTION
 
-from sandbox.app.cards.card import heading
+from sandbox.app.cards.text_column import heading
 from sandbox.app.pages.experiment.background_parameter_sweep import Point
 from sandbox.app.pages.experiment.card import curve, named, nearest, shown_as, span_of
 from sandbox.app.pages.experiment.parameter_curve import CurveWorker, measures

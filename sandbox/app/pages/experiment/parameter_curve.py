@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from sandbox.app.background import BackgroundTask
+from sandbox.app.background_process import BackgroundTask
 from sandbox.app.pages.experiment.background_parameter_sweep import (
     COUNT,
     Point,

@@ -4,11 +4,11 @@ from math import hypot
 
 import pygame
 
-from sandbox.app.cards.card import Card
+from sandbox.app.cards.text_column import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing import forces_on_selection
+from sandbox.app.observing import forces_on_selected_body
 from sandbox.app.pages.forces import force_diagrams
 from sandbox.app.pages.forces.component_axes import Axes, components
 from sandbox.app.runs.session import Session
@@ -58,9 +58,9 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
     """Add a row for each force, for their sum, and for mass times acceleration."""
     axes = (say("along"), say("across")) if inclined else ("x", "y")
     _row(card, "N", None, (say("size"), *axes), theme.DIM)
-    for acting, title in forces_on_selection.titles(found):
+    for acting, title in forces_on_selected_body.titles(found):
         cells = _cell(acting.force, first)
-        _row(card, title, forces_on_selection.color(acting), cells, theme.TEXT)
+        _row(card, title, forces_on_selected_body.color(acting), cells, theme.TEXT)
     line = pygame.Surface((card.width, 1))
     line.fill(theme.EDGE)
     card.y += 2
@@ -70,14 +70,16 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         card,
         say("sum"),
         None,
-        _cell(forces_on_selection.without_rounding(found.net, found), first),
+        _cell(forces_on_selected_body.without_rounding(found.net, found), first),
         theme.RESULTANT,
     )
     _row(
         card,
         "m a",
         None,
-        _cell(forces_on_selection.without_rounding(found.mass_times_acceleration, found), first),
+        _cell(
+            forces_on_selected_body.without_rounding(found.mass_times_acceleration, found), first
+        ),
         theme.RESULTANT,
     )
     if found.moment:
@@ -89,7 +91,7 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         )
         scale = max(levers, default=0.0)
         for name, value in ((say("torques about the centre"), found.torque), ("I α", spin)):
-            torque = number(0.0 if abs(value) < forces_on_selection.FAINT * scale else value, 3)
+            torque = number(0.0 if abs(value) < forces_on_selected_body.FAINT * scale else value, 3)
             _row(card, name, None, ("", "", f"{torque} N m"), theme.DIM)
     card.y += 4
 
@@ -97,10 +99,12 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
 def _cell(force: XY, first: XY) -> tuple[str, ...]:
     size = hypot(*force)
     parts = (
-        0.0 if abs(part) < forces_on_selection.FAINT * size else part
+        0.0 if abs(part) < forces_on_selected_body.FAINT * size else part
         for part in components(force, first)
     )
-    return forces_on_selection.newtons(size), *(forces_on_selection.newtons(part) for part in parts)
+    return forces_on_selected_body.newtons(size), *(
+        forces_on_selected_body.newtons(part) for part in parts
+    )
 
 
 def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], color: Color) -> None:

@@ -8,7 +8,7 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing import forces_on_selection
+from sandbox.app.observing import forces_on_selected_body
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
@@ -26,7 +26,7 @@ FLAT = 0.04
 
 def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
     """Draw all forces and the net force from one point, each with its name and size."""
-    surface, texts = _sheet(size), forces_on_selection.texts(found)
+    surface, texts = _sheet(size), forces_on_selected_body.texts(found)
     forces = [acting for acting, _ in texts]
     vectors = [(acting.force[0], -acting.force[1]) for acting in forces]
     low_x, high_x, low_y, high_y = _extent([(0.0, 0.0), *vectors])
@@ -39,10 +39,10 @@ def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surfac
         turn = atan2(y, x)
         start = center[0] - off * sin(turn), center[1] + off * cos(turn)
         end = start[0] + x * scale, start[1] + y * scale
-        lines.arrow(surface, forces_on_selection.color(acting), start, end, WIDTH)
+        lines.arrow(surface, forces_on_selected_body.color(acting), start, end, WIDTH)
         for covered in _along(start, end):
             labels.occupy(covered)
-        ends.append((text, forces_on_selection.color(acting), start, end))
+        ends.append((text, forces_on_selected_body.color(acting), start, end))
     pygame.draw.aacircle(surface, theme.TEXT, center, 5)
     labels.occupy(pygame.Rect(center[0] - 7, center[1] - 7, 14, 14))
     for text, color, start, end in ends:
@@ -56,7 +56,7 @@ def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
 
     Forces along one line are drawn side by side, since they would cover each other.
     """
-    surface, forces = _sheet(size), forces_on_selection.not_negligible(found)
+    surface, forces = _sheet(size), forces_on_selected_body.not_negligible(found)
     corners = [(0.0, 0.0)]
     for acting in forces:
         x, y = corners[-1]
@@ -76,15 +76,17 @@ def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
         return x0 + x * scale + dx * by, y0 + y * scale + dy * by
 
     for i, acting in enumerate(forces):
-        lines.arrow(surface, forces_on_selection.color(acting), pixel(i, i), pixel(i + 1, i), WIDTH)
+        lines.arrow(
+            surface, forces_on_selected_body.color(acting), pixel(i, i), pixel(i + 1, i), WIDTH
+        )
         if aside and i:
             lines.dashed(surface, theme.AXIS, (pixel(i, i - 1), pixel(i, i)), 2, 2)
     last = len(forces)
     start, end = pixel(0, last if aside else 0), pixel(last, last if aside else 0)
-    net = hypot(*forces_on_selection.without_rounding(found.net, found))
+    net = hypot(*forces_on_selected_body.without_rounding(found.net, found))
     if net:
         lines.arrow(surface, theme.RESULTANT, start, end, WIDTH + 1)
-    message = say("sum {force} N", force=forces_on_selection.newtons(net))
+    message = say("sum {force} N", force=forces_on_selected_body.newtons(net))
     surface.blit(pen.write(message, 12, theme.RESULTANT), (4, 2))
     return surface
 

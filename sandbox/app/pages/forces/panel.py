@@ -6,13 +6,13 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.cards.card import heading
+from sandbox.app.cards.text_column import heading
 from sandbox.app.pages.forces.card import forces
 from sandbox.app.pages.forces.component_axes import Axes
 from sandbox.app.pages.page import Desk
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
-from sandbox.app.widgets.widget_helpers import show_pressed
+from sandbox.app.widgets.widget_states_and_scrolling import show_pressed
 from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a button

@@ -3,7 +3,7 @@
 from itertools import chain, islice
 from pathlib import Path
 
-from sandbox.app.background import BackgroundTask
+from sandbox.app.background_process import BackgroundTask
 from sandbox.app.pages.graph.matplotlib_figure import Figure, saved
 from sandbox.app.pages.graph.zoom import WHOLE, Zoom
 from sandbox.app.runs.session import Session

@@ -12,7 +12,7 @@ from pygame_gui import (
 )
 from pygame_gui.elements import UIButton
 
-from sandbox.app.cards.card import heading
+from sandbox.app.cards.text_column import heading
 from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 from sandbox.app.pages.graph.card import graphs, span_of

@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.cards.card import Card
+from sandbox.app.cards.text_column import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words import formatting, level_translation

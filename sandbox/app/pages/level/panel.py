@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
-from sandbox.app.cards.card import heading
 from sandbox.app.cards.checks import NOTHING, checks, unjudged
+from sandbox.app.cards.text_column import heading
 from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.scrolling_area import Sheet, below
-from sandbox.app.widgets.widget_helpers import show_pressed
+from sandbox.app.widgets.widget_states_and_scrolling import show_pressed
 from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 

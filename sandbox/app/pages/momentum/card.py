@@ -6,14 +6,14 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app.cards.card import Card, bar
+from sandbox.app.cards.text_column import Card, bar
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import momentum_scale
+from sandbox.app.stage.frame_of_reference import Observer
 from sandbox.app.stage.level_labels import seen_from
-from sandbox.app.stage.observer import Observer
 from sandbox.app.words import formatting
 from sandbox.app.words.language import plural, say
 from sandbox.model.expressions import Array

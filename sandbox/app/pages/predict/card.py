@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card
 from sandbox.app.cards.checks import TOUCHED
+from sandbox.app.cards.text_column import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.predict.neglected_effects import Trial, TrialProgress

@@ -11,7 +11,7 @@ from sandbox.app.pages.predict.prediction_worker import PredictionWorker
 from sandbox.app.pages.predict.questions import questions, unit_of, when
 from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.widgets.text_field import Field
-from sandbox.app.widgets.widget_helpers import show
+from sandbox.app.widgets.widget_states_and_scrolling import show
 from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Check

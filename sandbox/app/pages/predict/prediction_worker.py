@@ -2,8 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from sandbox.app.background import BackgroundTask
-from sandbox.app.observing.running_checks import TimeShare
+from sandbox.app.background_process import BackgroundTask
+from sandbox.app.observing.checks_of_unfinished_run import TimeShare
 from sandbox.app.pages.predict.neglected_effects import Trial, TrialProgress, trials
 from sandbox.app.pages.predict.prediction_outcome import Outcome, judged
 from sandbox.app.pages.predict.questions import questions, unit_of

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card, titled_note
+from sandbox.app.cards.text_column import GAP, Card, titled_note
 from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color

@@ -9,13 +9,13 @@ from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
 from sandbox.app import impact_sounds
-from sandbox.app.cards.card import heading, label
+from sandbox.app.cards.text_column import heading, label
 from sandbox.app.drawing import theme
 from sandbox.app.files import preferences
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet, below, in_rows
-from sandbox.app.widgets.widget_helpers import show_pressed
+from sandbox.app.widgets.widget_states_and_scrolling import show_pressed
 from sandbox.app.words import language
 from sandbox.app.words.language import say, say_in
 

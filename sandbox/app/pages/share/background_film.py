@@ -1,9 +1,9 @@
 """Films, made in another process while the window continues."""
 
-from sandbox.app.background import BackgroundTask
+from sandbox.app.background_process import BackgroundTask
 from sandbox.app.film import Kind, film
 from sandbox.app.pages.share.saving import path_for
-from sandbox.app.runs.runfile import run_of
+from sandbox.app.runs.run_file import run_of
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pygame
 
 from sandbox.app.files import save_folder
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from sandbox.app.runs.session import Session
 from sandbox.model.atomic_file_access import make_folder, write_atomically
 from sandbox.model.errors import SandboxError
@@ -49,8 +49,8 @@ def screenshot(session: Session) -> Path:
 
 def run(session: Session) -> Path:
     """Save the run so far, to be replayed."""
-    path = path_for(session, runfile.SUFFIX)
-    runfile.save(runfile.run_of(session), path)
+    path = path_for(session, run_file.SUFFIX)
+    run_file.save(run_file.run_of(session), path)
     return path
 
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pygame
 
-from sandbox.app.cards.card import SMALLEST, Card
+from sandbox.app.cards.text_column import SMALLEST, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.graph.card import measured, value_at

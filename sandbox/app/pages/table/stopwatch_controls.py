@@ -4,7 +4,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_SELECTION_LIST_NEW_SELECTION
 from pygame_gui.elements import UISelectionList
 
-from sandbox.app.cards.card import Card, heading, label
+from sandbox.app.cards.text_column import Card, heading, label
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.pages.table.stopwatch_triggers import StopwatchTrigger, triggers
 from sandbox.app.runs.session import Session

@@ -17,7 +17,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.forces_on_selection import not_negligible
+from sandbox.app.observing.forces_on_selected_body import not_negligible
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.motion_annotations import LONGEST

@@ -5,7 +5,7 @@ from math import hypot
 import pygame
 
 from sandbox.app.drawing import lines, theme
-from sandbox.app.observing import forces_on_selection
+from sandbox.app.observing import forces_on_selected_body
 from sandbox.app.stage.drawing_context import View
 from sandbox.app.stage.given_force_arrows import LONGEST, beside
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -28,14 +28,14 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     given_forces = _given(view, found)
     scale = given_forces or longest / (view.looking.force_of_longest_arrow(found) or 1.0)  # px/N
     ends = []
-    words = forces_on_selection.texts(view.looking.as_last_shown(view.world, found))
-    for acting, (_, text) in zip(forces_on_selection.not_negligible(found), words, strict=True):
+    words = forces_on_selected_body.texts(view.looking.as_last_shown(view.world, found))
+    for acting, (_, text) in zip(forces_on_selected_body.not_negligible(found), words, strict=True):
         if given_forces and acting.name == Force.effect.shown_force_name:
             continue
         share = min(scale, CUT * longest / acting.magnitude)
         x, y = start = view.camera.to_screen(acting.at)
         end = x + acting.force[0] * share, y - acting.force[1] * share
-        color = forces_on_selection.color(acting)
+        color = forces_on_selected_body.color(acting)
         lines.arrow(surface, color, start, end, WIDTH)
         ends.append((text, start, end, color, f"force {acting.name} {acting.by}"))
         _mark(view, acting.name, start, end)

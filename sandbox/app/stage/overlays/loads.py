@@ -8,7 +8,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.forces_on_selection import newtons
+from sandbox.app.observing.forces_on_selected_body import newtons
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.drawing_context import NAMED, View
 from sandbox.app.stage.joint_polylines import path_of

@@ -9,10 +9,10 @@ from sandbox.app.stage.overlays import (
     flashes,
     forces,
     ghosts,
-    instantaneous_center_of_rotation,
     loads,
     momenta,
     names,
+    rotation_velocities_and_center,
     trail,
 )
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -27,7 +27,7 @@ OVERLAYS: tuple[Overlay, ...] = (
     components.OVERLAY,
     arrows.OVERLAY,
     contacts.OVERLAY,
-    instantaneous_center_of_rotation.OVERLAY,
+    rotation_velocities_and_center.OVERLAY,
     forces.OVERLAY,
     center.OVERLAY,
     names.OVERLAY,

@@ -7,7 +7,7 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from sandbox.app.observing.measured_events import Milestone, milestones
+from sandbox.app.observing.events_of_checks import Milestone, milestones
 from sandbox.model.expression_compiler import ExpressionError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import Check

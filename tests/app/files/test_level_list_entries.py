@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.app.files.level_entries import LONGEST, Texts, entry
+from sandbox.app.files.level_list_entries import LONGEST, Texts, entry
 from tests.model.levels import bare
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from sandbox import interrupts
-from sandbox.app.background import Background
+from sandbox.app.background_process import Background
 from tests.app import work
 from tests.elsewhere import limited
 from tests.patience import alive
@@ -138,7 +138,7 @@ def test_the_work_hears_no_signal_that_is_for_the_window(background: Background)
 @pytest.mark.sweep
 def test_a_window_that_is_killed_leaves_no_orphan() -> None:
     text = (
-        "from sandbox.app.background import Background\n"
+        "from sandbox.app.background_process import Background\n"
         "from tests.app import work\n"
         "import time\n"
         "if __name__ == '__main__':\n"

@@ -5,13 +5,13 @@ from pathlib import Path
 import pygame
 
 from sandbox.app.command_actions import CommandActions
-from sandbox.app.home.draft_strip import Unsaved
+from sandbox.app.home.unfinished_work_strip import Unsaved
 from sandbox.app.keymap import command
+from sandbox.app.open_level_and_panels import Workspace
 from sandbox.app.pages.build import PAGE as BUILD_PAGE
 from sandbox.app.runs.crash_recovery import LeftRun
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Change
-from sandbox.app.window_contents import Workspace
 from sandbox.app.window_keys import WHILE_TYPING
 from sandbox.app.words.language import say
 from sandbox.model.atomic_file_access import without_links
@@ -76,7 +76,7 @@ class EventDispatch:
         if isinstance(left, LeftRun):
             self._space.continue_run(left)
             return
-        from sandbox.app.building.draft_and_version_choices import recover
+        from sandbox.app.building.draft_recovery_and_conflict_choices import recover
         from sandbox.app.building.editor import Editor
 
         self._commands.do(BUILD_PAGE.command)

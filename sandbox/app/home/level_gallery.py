@@ -9,12 +9,12 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.challenge_stars import Progress
-from sandbox.app.files.level_entries import Entry
+from sandbox.app.files.level_list_entries import Entry
 from sandbox.app.home.card_grid import HEADING, MARGIN, Grid, lay_out, sections
 from sandbox.app.home.chapter_bar import ChapterBar
-from sandbox.app.home.draft_strip import Strip, Unsaved
 from sandbox.app.home.playing_preview import Preview
 from sandbox.app.home.thumbnails import Thumbnails
+from sandbox.app.home.unfinished_work_strip import Strip, Unsaved
 from sandbox.app.words.language import say
 from sandbox.model import level_catalog
 

@@ -103,7 +103,7 @@ def _sample(surface: pygame.Surface, start: XY, end: XY) -> None:
 
 
 OVERLAY = Overlay(
-    name="instantaneous_center_of_rotation",
+    name="rotation_velocities_and_center",
     key="7",
     text="velocities all over each body, and the point about which it turns",
     draw=_draw,

@@ -5,10 +5,10 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.runs import run_limits
+from sandbox.app.open_level_and_panels import MANY
+from sandbox.app.runs import time_and_memory_limits
 from sandbox.app.runs.session import Session
 from sandbox.app.window import Window
-from sandbox.app.window_contents import MANY
 from sandbox.physics.measuring import recording
 from tests.app import scenes
 from tests.app.person import Person
@@ -19,7 +19,7 @@ FRAME = 1 / 60  # s
 @pytest.fixture
 def slow(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every step take too long."""
-    monkeypatch.setattr(run_limits, "SLOW", 0.0)
+    monkeypatch.setattr(time_and_memory_limits, "SLOW", 0.0)
 
 
 def played(*, patient: bool = False) -> Session:
@@ -126,7 +126,7 @@ def test_what_takes_long_to_build_is_said_before_it_is_built(
         shown.append(pygame.image.tobytes(person.window.surface, "RGB"))
         return build(*arguments, **options)  # type: ignore[arg-type]
 
-    monkeypatch.setattr("sandbox.app.window_contents.Session", watched)
+    monkeypatch.setattr("sandbox.app.open_level_and_panels.Session", watched)
     path = tmp_path / "crowd.json"
     path.write_text(crowd(count), encoding="utf-8")
     person.window.open_level(str(path))

@@ -18,8 +18,8 @@ from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.worker_registry import Workers
 from sandbox.app.panels import refused_level, stage_messages
-from sandbox.app.panels.panels import Panels
-from sandbox.app.runs import runfile
+from sandbox.app.panels.all_panels import Panels
+from sandbox.app.runs import run_file
 from sandbox.app.runs.crash_recovery import LeftRun, RunRecovery
 from sandbox.app.runs.remedy_search import RemedySearch
 from sandbox.app.runs.session import Session
@@ -163,9 +163,9 @@ class Workspace:
         self.panels.home.leave()
         another, before = path != self.path, (self.path, self._settings, self._accuracy)
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
-        ran = path.name.endswith(runfile.SUFFIX)
+        ran = path.name.endswith(run_file.SUFFIX)
         try:
-            session = runfile.open_run(path) if ran else self._session_of_file(path, rate)
+            session = run_file.open_run(path) if ran else self._session_of_file(path, rate)
         except SandboxError as error:
             if self.session is not None and (ran or path.suffix != ".json"):
                 self.path, self._settings, self._accuracy = before

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.app.runs import runfile
+from sandbox.app.runs import run_file
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model import level_catalog
@@ -34,12 +34,12 @@ def pulled(session: Session) -> None:
 @pytest.mark.parametrize("name", LEVELS)
 def test_a_run_from_a_file_is_the_same_to_the_last_bit(name: str, tmp_path: Path) -> None:
     session = opened(name, 40)
-    runfile.save(runfile.run_of(session), tmp_path / "run.json")
+    run_file.save(run_file.run_of(session), tmp_path / "run.json")
 
-    run = runfile.read(tmp_path / "run.json")
+    run = run_file.read(tmp_path / "run.json")
 
-    assert run == runfile.run_of(session)
-    assert runfile.is_same(run, runfile.replay(run))
+    assert run == run_file.run_of(session)
+    assert run_file.is_same(run, run_file.replay(run))
 
 
 def test_what_a_hand_did_is_done_again(tmp_path: Path) -> None:
@@ -47,15 +47,15 @@ def test_what_a_hand_did_is_done_again(tmp_path: Path) -> None:
     pulled(session)
     for _ in range(20):
         session.step()
-    run = runfile.run_of(session)
-    runfile.save(run, tmp_path / "run.json")
+    run = run_file.run_of(session)
+    run_file.save(run, tmp_path / "run.json")
 
-    again = runfile.replay(runfile.read(tmp_path / "run.json"))
+    again = run_file.replay(run_file.read(tmp_path / "run.json"))
 
-    assert runfile.is_same(run, again)
+    assert run_file.is_same(run, again)
     assert again.world.disturbed
     untouched = run.model_copy(update={"actions": ()})
-    assert not runfile.is_same(run, runfile.replay(untouched))
+    assert not run_file.is_same(run, run_file.replay(untouched))
 
 
 def test_parameters_and_changed_effects_belong_to_the_run() -> None:
@@ -65,10 +65,10 @@ def test_parameters_and_changed_effects_belong_to_the_run() -> None:
     session.play_as(without(level, "drag")[0])
     for _ in range(20):
         session.step()
-    run = runfile.run_of(session)
+    run = run_file.run_of(session)
 
     assert "drag" not in run.level["effects"]
-    assert runfile.is_same(run, runfile.replay(run))
+    assert run_file.is_same(run, run_file.replay(run))
 
 
 RUN = b'{"format": 1, "level": {}, "parameters": {}, "state": "", %s}'
@@ -103,18 +103,18 @@ def test_another_file_is_refused_with_what_is_wrong(
     path.write_bytes(content)
 
     with pytest.raises(SandboxError) as refused:
-        runfile.read(path)
+        run_file.read(path)
     assert told in str(refused.value)
     assert str(path) in str(refused.value)
 
 
 @pytest.mark.parametrize("kind", ["grab", "place"])
 def test_a_body_that_is_not_there_cannot_be_moved(kind: str) -> None:
-    run = runfile.run_of(Session(load(level_catalog.find("newton/atwood"))))
+    run = run_file.run_of(Session(load(level_catalog.find("newton/atwood"))))
     moved = Action.model_validate({"step": 0, "kind": kind, "body": "nobody"})
 
     with pytest.raises(SandboxError, match="there is no body 'nobody' to move"):
-        runfile.replay(run.model_copy(update={"actions": (moved,), "steps": 1}))
+        run_file.replay(run.model_copy(update={"actions": (moved,), "steps": 1}))
 
 
 def test_a_level_that_asks_for_an_accuracy_is_saved_with_the_rate_it_was_played_at() -> None:
@@ -123,15 +123,15 @@ def test_a_level_that_asks_for_an_accuracy_is_saved_with_the_rate_it_was_played_
     session = Session(asked)
     for _ in range(10):
         session.step()
-    run = runfile.run_of(session)
+    run = run_file.run_of(session)
 
     assert "accuracy" not in run.level.get("stepping", {})
-    assert runfile.is_same(run, runfile.replay(run))
+    assert run_file.is_same(run, run_file.replay(run))
 
 
 def test_a_level_that_is_not_well_formed_is_refused() -> None:
-    run = runfile.run_of(opened("newton/atwood", 1))
+    run = run_file.run_of(opened("newton/atwood", 1))
     wrong = run.model_copy(update={"level": {**run.level, "gravity": 1}})
 
     with pytest.raises(SandboxError, match="gravity"):
-        runfile.replay(wrong)
+        run_file.replay(wrong)

@@ -11,10 +11,10 @@ from pygame_gui.core.utility import set_default_manager
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files.level_entries import Entry
+from sandbox.app.files.level_list_entries import Entry
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_budget import Load
-from sandbox.app.home.home import Home
+from sandbox.app.home.level_gallery import Home
 from sandbox.app.pages import register
 from sandbox.app.pages.worker_registry import Workers
 from sandbox.app.panels import stage_messages

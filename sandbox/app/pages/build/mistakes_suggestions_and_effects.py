@@ -8,7 +8,7 @@ from sandbox.app.building import editable_fields, inspected_fields
 from sandbox.app.building.arrangement_actions import arrangements
 from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.check_challenge_and_event_actions import actions
-from sandbox.app.building.draft_and_version_choices import choices
+from sandbox.app.building.draft_recovery_and_conflict_choices import choices
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.effect_costs import costs_in_words
 from sandbox.app.building.selected_part_actions import part_actions
