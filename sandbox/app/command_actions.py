@@ -11,7 +11,7 @@ from pathlib import Path
 import pygame
 
 from sandbox.app.files import save_folder
-from sandbox.app.open_level_and_panels import Workspace
+from sandbox.app.open_level_and_panels import OpenLevelAndPanels
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
@@ -31,7 +31,7 @@ from sandbox.model.errors import SandboxError
 class CommandActions:
     """Executes commands by name, for keys and buttons."""
 
-    def __init__(self, workspace: Workspace) -> None:
+    def __init__(self, workspace: OpenLevelAndPanels) -> None:
         self._space = workspace
         self._acts: Mapping[str, Callable[[], None]] = {
             **self._run_commands(),

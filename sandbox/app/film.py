@@ -25,7 +25,7 @@ LACKING = later("an MP4 needs PyAV: install mechanics-sandbox[film]; a GIF does 
 def film(run: Run, path: Path, kind: Kind, seen_from: str | None = None) -> Iterator[float | str]:
     """Make a film of a run at the speed of its own time, and write it completely or not at all.
 
-    It is seen from a place, see `Observer`.
+    It is seen from a place, see `FrameOfReference`.
 
     Yields
     ------

@@ -5,7 +5,7 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.measuring import trail_probe
 from sandbox.app.observing.earlier_runs import have_same_bodies
-from sandbox.app.open_level_and_panels import Workspace
+from sandbox.app.open_level_and_panels import OpenLevelAndPanels
 from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import stage_messages
@@ -13,7 +13,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.stage import run_legend
 
 
-def paint(space: Workspace) -> None:
+def paint(space: OpenLevelAndPanels) -> None:
     """Draw a window on its surface."""
     layout, surface = space.panels.layout, space.surface
     area = layout.stage.clip(surface.get_rect())
@@ -41,7 +41,7 @@ def paint(space: Workspace) -> None:
         )
 
 
-def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:
+def _paint_stage(space: OpenLevelAndPanels, view: pygame.Surface, session: Session) -> None:
     """Draw the run, or a page's own picture in its place, with measurements and messages."""
     maker = space.stage_tool
     space.stage.camera.offset = 0.0, 0.0  # what a page draws is seen from the ground
@@ -59,7 +59,7 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
     run_legend.draw(view, space.pen, runs, below, space.stage.view)
 
 
-def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:
+def _paint_run(space: OpenLevelAndPanels, view: pygame.Surface, session: Session) -> None:
     stage = space.stage
     recalled = session.recalled
     if stage.seen_from != session.looking.seen_from:

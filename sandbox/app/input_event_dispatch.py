@@ -7,7 +7,7 @@ import pygame
 from sandbox.app.command_actions import CommandActions
 from sandbox.app.home.unfinished_work_strip import Unsaved
 from sandbox.app.keymap import command
-from sandbox.app.open_level_and_panels import Workspace
+from sandbox.app.open_level_and_panels import OpenLevelAndPanels
 from sandbox.app.pages.build import PAGE as BUILD_PAGE
 from sandbox.app.runs.crash_recovery import LeftRun
 from sandbox.app.runs.session import Session
@@ -20,10 +20,10 @@ from sandbox.model.errors import SandboxError
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
 
 
-class EventDispatch:
+class InputEventDispatch:
     """Passes each event to the widgets, the home page, the commands, or the stage."""
 
-    def __init__(self, workspace: Workspace, commands: CommandActions) -> None:
+    def __init__(self, workspace: OpenLevelAndPanels, commands: CommandActions) -> None:
         self._space, self._commands = workspace, commands
 
     def handle(self, event: pygame.event.Event) -> None:

@@ -3,15 +3,15 @@
 from pathlib import Path
 
 from sandbox.app.files.level_list_entries import entry
-from sandbox.app.files.recent_files import Recent
+from sandbox.app.files.recent_files import RecentFiles
 from sandbox.app.panels import level_list
 
 
-class LevelFiles:
+class ListedLevels:
     """The list of levels."""
 
     def __init__(self) -> None:
-        self.recent = Recent()
+        self.recent = RecentFiles()
         """The files that were opened recently."""
         opened = (entry(path, "opened") for path in self.recent.paths)
         self.entries = [*opened, *level_list.entries()]

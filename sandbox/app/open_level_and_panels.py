@@ -11,7 +11,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_budget import Load
-from sandbox.app.listed_levels import LevelFiles
+from sandbox.app.listed_levels import ListedLevels
 from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.mouse_on_stage import StageMouse
 from sandbox.app.pages.page import OnStage
@@ -45,7 +45,7 @@ MANY = 100
 """A message announces that a level with more bodies and joints than this is being built."""
 
 
-class Workspace:
+class OpenLevelAndPanels:
     """A level, its picture, and all panels, on a surface."""
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
@@ -81,7 +81,7 @@ class Workspace:
         """The sheet of the help that is shown, 0 for none, and the number of sheets."""
         self.open = True
         """Whether the window is to stay open."""
-        self.files = LevelFiles()
+        self.files = ListedLevels()
         """The list of levels."""
         self.undoing = UndoHistory()
         """The changes of the run that can be undone."""

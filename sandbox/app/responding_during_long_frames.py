@@ -13,7 +13,7 @@ from time import perf_counter
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.app.open_level_and_panels import Workspace
+from sandbox.app.open_level_and_panels import OpenLevelAndPanels
 from sandbox.app.panels import stage_messages
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
@@ -26,7 +26,7 @@ AGAIN = 0.1  # s, between two looks
 class LongFrameWatch:
     """Keeps a window responsive during long frames."""
 
-    def __init__(self, space: Workspace) -> None:
+    def __init__(self, space: OpenLevelAndPanels) -> None:
         self._space = space
         self._kept: list[pygame.Event] = []
         self._since = self._looked = 0.0  # s

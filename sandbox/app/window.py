@@ -11,9 +11,9 @@ from sandbox.app.files.open_level_watch import FileWatch
 from sandbox.app.frame_budget import FrameBudget
 from sandbox.app.frame_painting import paint
 from sandbox.app.impact_sounds import Sounds
-from sandbox.app.input_event_dispatch import EventDispatch
+from sandbox.app.input_event_dispatch import InputEventDispatch
 from sandbox.app.malloc_tuning import give_back_gaps
-from sandbox.app.open_level_and_panels import SIZE, Workspace
+from sandbox.app.open_level_and_panels import SIZE, OpenLevelAndPanels
 from sandbox.app.pages.register import preload
 from sandbox.app.responding_during_long_frames import LongFrameWatch
 from sandbox.app.runs.session import Session
@@ -25,14 +25,14 @@ QUIET = 1.0  # s without an event, after which the window is idle
 LONGEST_FRAME = 0.1  # s; a longer frame counts as this long
 
 
-class Window(Workspace):
+class Window(OpenLevelAndPanels):
     """The desktop app. `run` it, or drive it `frame` by `frame`."""
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
         super().__init__(size)
         self.commands = CommandActions(self)
         """The commands, by name."""
-        self._events = EventDispatch(self, self.commands)
+        self._events = InputEventDispatch(self, self.commands)
         self._watch, self._sounds = FileWatch(), Sounds()
         self.hold_up = LongFrameWatch(self)
         """Keeps the window responsive during long frames."""

@@ -13,7 +13,7 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.words import language
 from tests.app.person import Person
 
@@ -107,7 +107,7 @@ class Speech:
                     "_list" in each.most_specific_combined_id
                 )  # names of quantities, or of files
                 self.heard.add("" if listed else each.text)
-            elif isinstance(each, Field):
+            elif isinstance(each, TextField):
                 self.heard.add(each.placeholder_text or "")
 
     def small(self, given: set[str]) -> Iterator[str]:

@@ -8,7 +8,7 @@ import pygame
 import pytest
 
 from sandbox.app.files import save_folder
-from sandbox.app.files.challenge_stars import Progress
+from sandbox.app.files.challenge_stars import ChallengeStars
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.pages.predict.panel import PredictPage
@@ -94,7 +94,7 @@ def test_everything_one_would_try_first_works(
     person.set_to("m2", "2")
     person.set_to("v1", "3")
     play(person)
-    assert Progress().stars("Stop dead") == 3
+    assert ChallengeStars().stars("Stop dead") == 3
 
     # and take a film of it along
     person.press(pygame.K_w, "w")

@@ -12,7 +12,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.register import PAGES
 from sandbox.app.panels import keyboard_focus
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 from tests.app.person import Person
 from tests.app.scenes import falling
 
@@ -159,7 +159,7 @@ def test_what_is_out_of_sight_is_scrolled_into_view(person: Person, tmp_path: Pa
         tab(person)
     at = focused(person)
 
-    assert isinstance(at, Field)
+    assert isinstance(at, TextField)
     assert side._sheet.container.rect.contains(at.rect)
 
 

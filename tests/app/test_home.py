@@ -16,7 +16,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import challenge_stars
 from sandbox.app.home import picture_cache, unfinished_work_strip
-from sandbox.app.home.level_gallery import Home
+from sandbox.app.home.level_gallery import LevelGallery
 from sandbox.app.home.picture_cache import SIZE
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
@@ -44,7 +44,7 @@ def visitor(person: Person) -> Person:
     return person
 
 
-def home(person: Person) -> Home:
+def home(person: Person) -> LevelGallery:
     return person.window.panels.home
 
 
@@ -425,11 +425,11 @@ def test_stars_that_were_earned_stand_on_the_card(visitor: Person) -> None:
         return int((seen == theme.NOTICE).all(axis=2).sum())
 
     assert golden() == 0
-    challenge_stars.Progress().earn("Free fall", 1)
+    challenge_stars.ChallengeStars().earn("Free fall", 1)
     visitor.press(pygame.K_F2)
     visitor.press(pygame.K_F2)
     one = golden()
-    challenge_stars.Progress().earn("Free fall", 3)
+    challenge_stars.ChallengeStars().earn("Free fall", 3)
     visitor.press(pygame.K_F2)
     visitor.press(pygame.K_F2)
 

@@ -6,7 +6,7 @@ import pytest
 
 from sandbox.app.measuring import trail_probe
 from sandbox.app.pages.forces.panel import ForcesPage
-from sandbox.app.stage.frame_of_reference import CENTER, Observer
+from sandbox.app.stage.frame_of_reference import CENTER, FrameOfReference
 from sandbox.app.stage.level_labels import seen_from
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
@@ -37,7 +37,7 @@ def place(person: Person, body: str) -> tuple[float, float]:
 
 def test_at_the_centre_of_mass_all_momenta_add_up_to_zero() -> None:
     found = world("momentum/elastic-light-on-heavy", 40)
-    velocity = Observer(found, CENTER).relative(found.snapshot.velocity)
+    velocity = FrameOfReference(found, CENTER).relative(found.snapshot.velocity)
 
     assert found.scene.mass @ found.snapshot.velocity[:, 0] > 0.5
     assert found.scene.mass @ velocity == pytest.approx([0, 0], abs=1e-12)
@@ -51,7 +51,7 @@ def test_from_the_upper_bob_the_lower_one_goes_round_a_circle() -> None:
         states.append(found.snapshot.position.copy())
     upper, lower = map(list(found.scene.bodies).index, ("upper", "lower"))
 
-    path = Observer(found, "upper").path(np.array(states))
+    path = FrameOfReference(found, "upper").path(np.array(states))
 
     assert path[:, upper] == pytest.approx(np.tile(found.snapshot.position[upper], (51, 1)))
     away = np.hypot(*(path[:, lower] - path[:, upper]).T)
@@ -61,11 +61,11 @@ def test_from_the_upper_bob_the_lower_one_goes_round_a_circle() -> None:
 
 def test_on_the_ground_all_is_seen_as_it_is() -> None:
     found = world("lagrange/double-pendulum", 30)
-    observer = Observer(found, None)
+    observer = FrameOfReference(found, None)
 
     assert observer.relative(found.snapshot.velocity) is found.snapshot.velocity
     assert (observer.path(found.snapshot.position[None]) == found.snapshot.position).all()
-    assert Observer(found, "nobody").place is None
+    assert FrameOfReference(found, "nobody").place is None
     assert observer.displacement == (0, 0)
 
 

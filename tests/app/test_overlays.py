@@ -6,7 +6,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.overlays import register
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS
@@ -77,4 +77,4 @@ def test_a_part_that_is_forgotten_is_named_and_where_it_belongs(
     assert "sandbox/app/stage/overlays/momenta.py" in str(caught.value)
 
 
-def _draw(_surface: pygame.Surface, _view: View) -> None: ...
+def _draw(_surface: pygame.Surface, _view: DrawingContext) -> None: ...

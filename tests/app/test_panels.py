@@ -6,14 +6,14 @@ from pygame_gui import UIManager
 from pygame_gui.elements import UIScrollingContainer
 
 from sandbox.app.cards.energy import energy, total
-from sandbox.app.cards.text_column import COLUMNS, INDENT, Card
+from sandbox.app.cards.text_column import COLUMNS, INDENT, TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.energy_history_and_balance import Energies
 from sandbox.app.panels import play_bar
 from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.parameter_sliders import Parameters
+from sandbox.app.widgets.parameter_sliders import ParameterSliders
 from sandbox.app.widgets.scrolling_area import BAR, MARGIN
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
@@ -38,14 +38,14 @@ def test_every_label_of_a_parameter_is_written_whole(
     labelled = [(level, n, p) for level in levels for n, p in level.parameters.items()]
     for level, name, parameter in sorted(labelled, key=lambda each: len(each[2].label))[-LONGEST:]:
         area = pygame.Rect(MARGIN, 0, WIDTH, 740)
-        Parameters(manager, pen, container, area, {name: parameter}, level.defaults)
+        ParameterSliders(manager, pen, container, area, {name: parameter}, level.defaults)
 
     assert len(written) >= 2 * LONGEST
     assert not [text for text in written if text.endswith("…")]
 
 
 def test_a_long_number_keeps_off_the_column_beside_it(pen: Pen) -> None:
-    card = Card(pen, WIDTH)
+    card = TextColumn(pen, WIDTH)
     long = "−1.2345678 kg·m²/s"
 
     card.columns([(text, theme.TEXT) for text in (long, long, "2e-15")], 13)

@@ -5,8 +5,8 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.home.level_gallery import Home
-from sandbox.app.home.playing_preview import AFTER, LASTING, Preview, is_expensive
+from sandbox.app.home.level_gallery import LevelGallery
+from sandbox.app.home.playing_preview import AFTER, LASTING, PlayingPreview, is_expensive
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app import scenes
@@ -24,7 +24,7 @@ def visitor(person: Person) -> Person:
     return person
 
 
-def home(person: Person) -> Home:
+def home(person: Person) -> LevelGallery:
     return person.window.panels.home
 
 
@@ -95,7 +95,7 @@ def test_a_level_of_many_parts_is_not_played(name: str, expensive: bool) -> None
 def test_a_file_that_cannot_be_opened_plays_nothing(tmp_path: Path, text: str) -> None:
     path = tmp_path / "broken.json"
     path.write_text(text, encoding="utf-8")
-    preview = Preview()
+    preview = PlayingPreview()
 
     for _ in range(60):
         preview.follow(path, FRAME)
@@ -110,7 +110,7 @@ def test_only_the_first_seconds_are_played(tmp_path: Path) -> None:
     pygame.display.set_mode((10, 10))
     path = tmp_path / "long.json"
     path.write_text(scenes.falling(duration=100, checks=[], ghosts={}), encoding="utf-8")
-    preview = Preview()
+    preview = PlayingPreview()
     preview.follow(path, 0.0)
     preview.follow(path, AFTER)
     for _ in range(1000):

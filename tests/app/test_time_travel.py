@@ -8,7 +8,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.observing.impacts import RecordedImpact
 from sandbox.app.pages.graph.chosen_quantities import Choice
-from sandbox.app.panels.play_bar import Controls, notes
+from sandbox.app.panels.play_bar import PlayBar, notes
 from sandbox.app.runs import keyframes, run_player
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
@@ -357,7 +357,7 @@ def test_of_two_earlier_runs_with_one_value_alike_both_stay() -> None:
 
 def track_of(person: Person) -> pygame.Rect:
     controls = person.window.panels.controls
-    assert isinstance(controls, Controls)
+    assert isinstance(controls, PlayBar)
     return controls._track
 
 
@@ -447,7 +447,7 @@ def test_impacts_are_marked_and_a_click_near_a_mark_goes_exactly_there(person: P
 
     person.move(mark())
     controls = person.window.panels.controls
-    assert isinstance(controls, Controls)
+    assert isinstance(controls, PlayBar)
     ((told, _),) = controls._pointed_at(session)
     assert "ball 1 strikes ball 2" in told
     assert " N s" in told

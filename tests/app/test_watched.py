@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from sandbox.app.cards.energy import ledger
-from sandbox.app.cards.text_column import Card
+from sandbox.app.cards.text_column import TextColumn
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.model import level_catalog
@@ -141,13 +141,13 @@ def test_bars_that_are_read_in_the_middle_of_a_drift_say_so(
 ) -> None:
     """A cart of 2 J has 2.025 J half a step later; a fourth-order step is read at its end."""
     told: list[str] = []
-    text = Card.text
+    text = TextColumn.text
 
-    def noted(card: Card, said: str, *rest: Any, **more: Any) -> None:  # noqa: ANN401
+    def noted(card: TextColumn, said: str, *rest: Any, **more: Any) -> None:  # noqa: ANN401
         told.append(said)
         text(card, said, *rest, **more)
 
-    monkeypatch.setattr(Card, "text", noted)
+    monkeypatch.setattr(TextColumn, "text", noted)
     person.window.open_level(name)
     person.press(pygame.K_e, "e")
     books = person.session.books

@@ -14,7 +14,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.panels import stage_messages
-from sandbox.app.panels.play_bar import Controls
+from sandbox.app.panels.play_bar import PlayBar
 from sandbox.app.panels.verdicts_and_energies import counts_in_words
 from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs import run_file
@@ -488,7 +488,7 @@ def test_in_the_smallest_window_the_clock_can_be_read(player: Person) -> None:
     player.wait(0.1)
     controls = player.window.panels.controls
 
-    assert isinstance(controls, Controls)
+    assert isinstance(controls, PlayBar)
     assert controls._clock.width > 100
     assert controls._clock.right < controls.button("help").rect.left
 
@@ -500,7 +500,7 @@ def test_with_large_letters_the_time_has_room_beside_the_buttons(player: Person)
     player.wait(0.1)
     controls = player.window.panels.controls
 
-    assert isinstance(controls, Controls)
+    assert isinstance(controls, PlayBar)
     assert controls._clock.width > player.window.pen.write("t = 10.00 s", 15, bold=True).width
     rects = [controls.button(name).rect for name in ("play", "restart", "slower", "faster", "help")]
     assert all(len(rect.collidelistall([*rects, controls._clock])) == 1 for rect in rects)
@@ -516,7 +516,7 @@ def test_in_a_narrow_window_the_time_can_be_scrubbed_and_home_be_reached(
     player.wait(0.1)
     controls = player.window.panels.controls
 
-    assert isinstance(controls, Controls)
+    assert isinstance(controls, PlayBar)
     assert controls._clock.width >= 180
     assert player.window.panels.layout.stage.width >= 460
     player.click(controls.button("home").rect)

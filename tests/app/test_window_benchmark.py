@@ -11,7 +11,7 @@ from pygame_gui.core import UIElement
 from sandbox.app import main, window_benchmark
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.pages.graph.panel import GraphPage
-from sandbox.app.panels.verdicts_and_energies import Footer
+from sandbox.app.panels.verdicts_and_energies import VerdictsAndEnergies
 from sandbox.app.widgets.widget_states_and_scrolling import Row
 from sandbox.app.window import Window
 from sandbox.model.level import Level
@@ -86,18 +86,18 @@ def test_no_frame_draws_both_a_page_and_what_stands_below_it(
     person.window.open_level("newton/incline")
     person.press(pygame.K_d, "d")
     drawn: list[set[str]] = [set()]
-    page, foot = GraphPage.update, Footer.update
+    page, foot = GraphPage.update, VerdictsAndEnergies.update
 
     def draw_page(own: GraphPage) -> None:
         drawn[-1].add("page")
         page(own)
 
-    def draw_foot(own: Footer) -> None:
+    def draw_foot(own: VerdictsAndEnergies) -> None:
         drawn[-1].add("foot")
         foot(own)
 
     monkeypatch.setattr(GraphPage, "update", draw_page)
-    monkeypatch.setattr(Footer, "update", draw_foot)
+    monkeypatch.setattr(VerdictsAndEnergies, "update", draw_foot)
     person.press(pygame.K_SPACE, " ")
     for _ in range(60):
         drawn.append(set())

@@ -91,10 +91,14 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "data": Kind(data, folder / "d.csv", lambda path: read_data(path, level)),
         "settings": Kind([chosen], preferences.file(), lambda _: preferences.WindowPreferences()),
         "stars": Kind(
-            ['{"One": 2, "Two": 3}'], challenge_stars.file(), lambda _: challenge_stars.Progress()
+            ['{"One": 2, "Two": 3}'],
+            challenge_stars.file(),
+            lambda _: challenge_stars.ChallengeStars(),
         ),
         "recent": Kind(
-            ['["/x/a.json", "/y/b.json"]'], recent_files.file(), lambda _: recent_files.Recent()
+            ['["/x/a.json", "/y/b.json"]'],
+            recent_files.file(),
+            lambda _: recent_files.RecentFiles(),
         ),
         "level": Kind([text], folder / "l.json", load),
         "drawing": Kind([text], folder / "l.json", Draft.open),

@@ -28,7 +28,7 @@ import typer
 
 from sandbox import interrupts
 from sandbox.app import level_picture  # noqa: F401 (imported before anything is forked)
-from sandbox.app.files.challenge_stars import Progress
+from sandbox.app.files.challenge_stars import ChallengeStars
 from sandbox.cli import commands as sandbox_commands
 from sandbox.cli import experiment, format, generate, migrate, new, render, simulate, tour  # noqa: A004, F401 (as above)
 from sandbox.experiments import batch_scheduling, experiment_folder  # noqa: F401 (as above)
@@ -96,7 +96,7 @@ def _experiment(turn: int) -> None:
 
 
 def _stars(turn: int) -> None:
-    progress = Progress()
+    progress = ChallengeStars()
     for number in range(200):
         progress.earn(f"challenge {number} {turn}", 1 + number % 3)
 

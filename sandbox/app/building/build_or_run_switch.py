@@ -1,19 +1,19 @@
 """Switching between building the level and running it, with undo across both."""
 
-from sandbox.app.building.current_tool import Toolbox
+from sandbox.app.building.current_tool import CurrentTool
 from sandbox.app.building.edited_level import EditedLevel
-from sandbox.app.building.rerun_after_edit import Applying
+from sandbox.app.building.rerun_after_edit import RerunAfterEdit
 from sandbox.app.building.trial_run_history import TrialRuns
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 
 
-class ModeSwitch:
+class BuildOrRunSwitch:
     """Switches between building and the run; undo and redo work across both."""
 
     def __init__(
-        self, work: EditedLevel, trial: TrialRuns, tools: Toolbox, applying: Applying
+        self, work: EditedLevel, trial: TrialRuns, tools: CurrentTool, applying: RerunAfterEdit
     ) -> None:
         self._work, self._trial, self._tools, self._applying = work, trial, tools, applying
 

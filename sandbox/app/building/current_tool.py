@@ -9,7 +9,7 @@ FIRST = TOOLS[0].name
 """The tool that selects, which is active at first."""
 
 
-class Toolbox:
+class CurrentTool:
     """The tools: one set for the level, and one for its run."""
 
     def __init__(self, level: EditedLevel, run: EditedLevel) -> None:

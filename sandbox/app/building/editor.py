@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING
 import pygame
 
 from sandbox.app.building import editor_keys
-from sandbox.app.building.build_or_run_switch import ModeSwitch
-from sandbox.app.building.current_tool import FIRST, Toolbox
+from sandbox.app.building.build_or_run_switch import BuildOrRunSwitch
+from sandbox.app.building.current_tool import FIRST, CurrentTool
 from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.editor_on_stage import EditorOnStage
 from sandbox.app.building.effect_costs import EffectCosts
 from sandbox.app.building.live_edits import KEPT
-from sandbox.app.building.rerun_after_edit import Applying
+from sandbox.app.building.rerun_after_edit import RerunAfterEdit
 from sandbox.app.building.saving_and_reloading import Saving
 from sandbox.app.building.trial_run_history import TrialRuns
 from sandbox.app.drawing.text import Pen
@@ -41,11 +41,11 @@ class Editor:
         """The drafts of all edited levels."""
         self.trial = TrialRuns()
         """The runs of the level."""
-        self.tools = Toolbox(self.work, self.trial.live)
+        self.tools = CurrentTool(self.work, self.trial.live)
         """The tools that change the level, or its run."""
-        self.applying = Applying(self.work, self.drafts, self.tools)
+        self.applying = RerunAfterEdit(self.work, self.drafts, self.tools)
         """Applies changes to the session, or gives the reason why the level cannot run."""
-        self.trying = ModeSwitch(self.work, self.trial, self.tools, self.applying)
+        self.trying = BuildOrRunSwitch(self.work, self.trial, self.tools, self.applying)
         """Switches between building and the run."""
         self.saving = Saving(self.work, self.drafts, self.tools)
         """Saves and reads the level's file."""

@@ -6,8 +6,8 @@ from typing import Protocol
 
 import pygame
 
-from sandbox.app.building.build_or_run_switch import ModeSwitch
-from sandbox.app.building.current_tool import FIRST, Toolbox
+from sandbox.app.building.build_or_run_switch import BuildOrRunSwitch
+from sandbox.app.building.current_tool import FIRST, CurrentTool
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.saving_and_reloading import Saving
 from sandbox.app.building.tools.register import TOOLS
@@ -54,8 +54,8 @@ def keys_in_help() -> tuple[tuple[str, str], ...]:
 class Keyed(Protocol):
     """The editor, as far as the keys use it."""
 
-    tools: Toolbox
-    trying: ModeSwitch
+    tools: CurrentTool
+    trying: BuildOrRunSwitch
     saving: Saving
 
     @property

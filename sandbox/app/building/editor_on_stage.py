@@ -5,12 +5,12 @@ from functools import partial
 import pygame
 
 from sandbox.app.building import editor_painting
-from sandbox.app.building.current_tool import FIRST, Toolbox
+from sandbox.app.building.current_tool import FIRST, CurrentTool
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.fault_preview import FaultPreview
 from sandbox.app.building.live_edits import EditableRun
 from sandbox.app.building.mouse_position import MousePosition
-from sandbox.app.building.rerun_after_edit import Applying
+from sandbox.app.building.rerun_after_edit import RerunAfterEdit
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words.language import say
@@ -21,7 +21,7 @@ class EditorOnStage:
     """Passes the mouse to the current tool, and draws the level with the preview of the tool."""
 
     def __init__(
-        self, work: EditedLevel, live: EditableRun, tools: Toolbox, applying: Applying
+        self, work: EditedLevel, live: EditableRun, tools: CurrentTool, applying: RerunAfterEdit
     ) -> None:
         self._work, self._live, self._tools, self._applying = work, live, tools, applying
         self._spot: MousePosition | None = None

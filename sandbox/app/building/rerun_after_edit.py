@@ -3,7 +3,7 @@
 import re
 from time import perf_counter
 
-from sandbox.app.building.current_tool import Toolbox
+from sandbox.app.building.current_tool import CurrentTool
 from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.runs.session import Session
@@ -17,10 +17,10 @@ PATIENCE = 1.5
 """The pause before changes are applied, as a multiple of the time that applying them took."""
 
 
-class Applying:
+class RerunAfterEdit:
     """Applies the edited level to the session."""
 
-    def __init__(self, work: EditedLevel, drafts: Drafts, tools: Toolbox) -> None:
+    def __init__(self, work: EditedLevel, drafts: Drafts, tools: CurrentTool) -> None:
         self._work, self._drafts, self._tools = work, drafts, tools
         self.refusal: Message = NOTHING
         """The reason why the level cannot run as it is; empty if it can."""

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from sandbox.app.building.current_tool import Toolbox
+from sandbox.app.building.current_tool import CurrentTool
 from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.words.language import say
@@ -13,7 +13,7 @@ from sandbox.model.errors import SandboxError
 class Saving:
     """Saves the level under edit."""
 
-    def __init__(self, work: EditedLevel, drafts: Drafts, tools: Toolbox) -> None:
+    def __init__(self, work: EditedLevel, drafts: Drafts, tools: CurrentTool) -> None:
         self._work, self._drafts, self._tools = work, drafts, tools
         self.naming = False
         """Whether the page asks for a name to save under."""

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from sandbox.app.cards.text_column import GAP, Card
+from sandbox.app.cards.text_column import GAP, TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -36,7 +36,7 @@ def checks(
     Where the numerical error of a check is known (`splits`, by index), only the digits that it
     leaves certain are shown. If the run was `disturbed` by hand, no formula describes it.
     """
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(say("Checks"))
     if disturbed:
         card.text(say(TOUCHED), 14, theme.NOTICE)
@@ -56,7 +56,7 @@ def checks(
 
 def unjudged(pen: Pen, width: int) -> pygame.Surface:
     """Draw a note that the formulas do not apply to a run with changed effects."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(say("Checks"))
     message = say("The effects are changed: the formulas do not describe this run.")
     card.text(message, 14, theme.NOTICE)
@@ -64,7 +64,7 @@ def unjudged(pen: Pen, width: int) -> pygame.Surface:
     return card.drawn()
 
 
-def _check(card: Card, reading: Reading, words: Say, split: "ErrorBudget | None") -> None:
+def _check(card: TextColumn, reading: Reading, words: Say, split: "ErrorBudget | None") -> None:
     result = reading.result
     check = result.check
     color = _color(result.verdict)
@@ -109,7 +109,7 @@ def _color(verdict: str) -> Color:
     return {"passed": theme.PASSED, "failed": theme.FAILED}.get(verdict, theme.WAITING)
 
 
-def _check_title(card: Card, check: Check, words: Say) -> None:
+def _check_title(card: TextColumn, check: Check, words: Say) -> None:
     """Add the check's title, and the quantity's name beside it where there is room."""
     lines = card.pen.paragraph(title(check, words), card.width - card.indent, 14, bold=True)
     name = card.pen.write(check.quantity if check.label else "", 12, theme.DIM)

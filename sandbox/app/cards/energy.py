@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.cards.text_column import GAP, Card, bar
+from sandbox.app.cards.text_column import GAP, TextColumn, bar
 from sandbox.app.drawing import energy_graph, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -22,7 +22,7 @@ def energy(
     pen: Pen, width: int, start: Energies, now: Energies, drawn: pygame.Surface
 ) -> pygame.Surface:
     """Draw the energies, a graph of them, and the change of the total energy."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(say("Energy"))
     rows = (
         (say("kinetic"), now.kinetic, theme.KINETIC),
@@ -41,7 +41,7 @@ def energy(
 
 def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
     """Draw only the total energy and its change, in one line with room for a button."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     line = pygame.Surface((width, 1))
     line.fill(theme.EDGE)
     card.put(line, 0)
@@ -65,7 +65,7 @@ def ledger(pen: Pen, width: int, books: Balance, covered: str) -> pygame.Surface
 
     The text `covered` above them tells the period of the balance.
     """
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(say("Energy"))
     card.text(covered, 12, theme.DIM)
     rows = [
@@ -108,7 +108,7 @@ def _change(start: Energies, now: Energies) -> str:
     return f"{formatting.quantity(change, 'J', 3)}{share}"
 
 
-def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
+def _legend(card: TextColumn, rows: Sequence[tuple[str, float, Color]]) -> None:
     """Add the energies side by side, in the colours of their lines."""
     pen, column = card.pen, card.width // len(rows)
     scale = max(abs(value) for _, value, _ in rows)

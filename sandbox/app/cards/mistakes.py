@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import pygame
 
-from sandbox.app.cards.text_column import Card
+from sandbox.app.cards.text_column import TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.words.language import say
@@ -45,7 +45,7 @@ def excerpt(
     `lines` are those of the file, none if it cannot be read. The mistakes are in the order of the
     text.
     """
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.y = PADDING
     places = [mistake.line for mistake in mistakes if mistake.line]
     shown = range(max(min(places) - AROUND, 1), max(places) + AROUND + 1) if places else range(0)
@@ -65,7 +65,7 @@ def excerpt(
 class _Sheet:
     """Lines of a text with their numbers, and carets between them."""
 
-    def __init__(self, card: Card, digits: int) -> None:
+    def __init__(self, card: TextColumn, digits: int) -> None:
         self._card, self._pen = card, card.pen
         self._font = card.pen.spare(SIZE)
         self._left = PADDING + self._font.size("0" * digits)[0] + GUTTER

@@ -16,7 +16,7 @@ COLUMNS = (0.39, 0.39, 0.22)
 """The widths of the columns: measured, expected and error."""
 
 
-class Card:
+class TextColumn:
     """A column to which text and pictures are added from top to bottom."""
 
     def __init__(self, pen: Pen, width: int) -> None:
@@ -69,14 +69,14 @@ class Card:
 
 def heading(pen: Pen, width: int, text: str) -> pygame.Surface:
     """Draw a heading under a line."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(text)
     return card.drawn()
 
 
 def titled_note(pen: Pen, width: int, title: str, text: str, size: int = 13) -> pygame.Surface:
     """Draw a heading with a few words below it."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(title)
     card.text(text, size, theme.DIM)
     return card.drawn()
@@ -84,7 +84,7 @@ def titled_note(pen: Pen, width: int, title: str, text: str, size: int = 13) -> 
 
 def label(pen: Pen, width: int, text: str) -> pygame.Surface:
     """Draw a few words that introduce what follows."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.text(text, 13, theme.DIM)
     return card.drawn()
 

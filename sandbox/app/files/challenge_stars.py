@@ -17,7 +17,7 @@ def file() -> Path:
     return data_folder() / "stars.json"
 
 
-class Progress:
+class ChallengeStars:
     """The number of stars that each challenge has earned, by the title of its level.
 
     A file that is missing or not valid counts as empty.

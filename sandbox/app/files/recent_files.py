@@ -20,7 +20,7 @@ def file() -> Path:
     return data_folder() / "recent.json"
 
 
-class Recent:
+class RecentFiles:
     """The files that were opened recently.
 
     A list that is missing or not valid counts as empty.

@@ -29,7 +29,7 @@ class Heading:
 
 
 @dataclass(frozen=True, slots=True)
-class Grid:
+class CardGrid:
     """Cards on a sheet that may be higher than its visible part."""
 
     cards: tuple[tuple[Entry, Rect], ...]
@@ -62,7 +62,7 @@ class Grid:
 
 def lay_out(
     width: int, sections: Iterable[tuple[str, Sequence[Entry]]], scale: float = 1.0
-) -> Grid:
+) -> CardGrid:
     """Lay out cards in rows on a sheet of some width [px], with a heading above each section."""
     margin, gap, narrowest, words, heading = (
         round(length * scale) for length in (MARGIN, GAP, NARROWEST, WORDS, HEADING)
@@ -82,7 +82,7 @@ def lay_out(
             place = Rect(x, y + i // columns * (picture[1] + words + gap), each, picture[1] + words)
             cards.append((level, place))
         y += -(-len(levels) // columns) * (picture[1] + words + gap) + gap // 2
-    return Grid(tuple(cards), tuple(headings), picture, y + gap)
+    return CardGrid(tuple(cards), tuple(headings), picture, y + gap)
 
 
 def sections(found: Sequence[Entry], search: str) -> list[tuple[str, Sequence[Entry]]]:

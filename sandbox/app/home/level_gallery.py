@@ -8,13 +8,13 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files.challenge_stars import Progress
+from sandbox.app.files.challenge_stars import ChallengeStars
 from sandbox.app.files.level_list_entries import Entry
-from sandbox.app.home.card_grid import HEADING, MARGIN, Grid, lay_out, sections
+from sandbox.app.home.card_grid import HEADING, MARGIN, CardGrid, lay_out, sections
 from sandbox.app.home.chapter_bar import ChapterBar
-from sandbox.app.home.playing_preview import Preview
+from sandbox.app.home.playing_preview import PlayingPreview
 from sandbox.app.home.thumbnails import Thumbnails
-from sandbox.app.home.unfinished_work_strip import Strip, Unsaved
+from sandbox.app.home.unfinished_work_strip import UnfinishedWorkStrip, Unsaved
 from sandbox.app.words.language import say
 from sandbox.model import level_catalog
 
@@ -33,7 +33,7 @@ _STEPS = {
 }  # fmt: skip
 
 
-class Home:
+class LevelGallery:
     """Cards of levels, which can be chosen by mouse and keyboard."""
 
     def __init__(self, pen: Pen) -> None:
@@ -44,15 +44,15 @@ class Home:
         """The level that was chosen last, until the window takes it."""
         self.recovered: Unsaved | None = None
         """The draft or run that was chosen last, until the window takes it."""
-        self.strip = Strip(pen)
+        self.strip = UnfinishedWorkStrip(pen)
         """The drafts and runs above the cards."""
-        self.preview = Preview()
+        self.preview = PlayingPreview()
         """The level that plays on its card."""
         self.chapters = ChapterBar(pen)
         """The bar of chapters above the cards."""
         self.thumbnails = Thumbnails()
         """The pictures on the cards."""
-        self._progress = Progress()
+        self._progress = ChallengeStars()
         self._area = pygame.Rect(0, 0, 1, 1)
         self._laid_out: object = None
         self._grid = lay_out(1, ())
@@ -66,7 +66,7 @@ class Home:
 
     def enter(self, path: Path | None) -> None:
         """Show the page, with up-to-date cards, scrolled to a level."""
-        self.open, self._progress = True, Progress()
+        self.open, self._progress = True, ChallengeStars()
         self.thumbnails.forget()
         self._laid_out, self._here = None, path
         self.strip.refresh()
@@ -86,7 +86,7 @@ class Home:
         self.thumbnails.cancel()
 
     @property
-    def grid(self) -> Grid:
+    def grid(self) -> CardGrid:
         """The layout of the cards on their sheet."""
         return self._grid
 

@@ -31,7 +31,7 @@ LARGEST = min(20_000, MAX_BYTES)
 frame."""
 
 
-class Preview:
+class PlayingPreview:
     """Plays the level under the mouse on its card."""
 
     def __init__(self) -> None:

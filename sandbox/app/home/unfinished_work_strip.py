@@ -21,7 +21,7 @@ GAP = 6  # px, above and below a row
 PADDING = 12  # px, beside the text
 
 
-class Strip:
+class UnfinishedWorkStrip:
     """Rows of drafts and runs that can be clicked."""
 
     def __init__(self, pen: Pen) -> None:

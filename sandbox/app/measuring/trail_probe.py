@@ -9,9 +9,9 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.earlier_runs import have_same_bodies
-from sandbox.app.observing.thinned_history import History
+from sandbox.app.observing.thinned_history import ThinnedHistory
 from sandbox.app.runs.session import Session
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.words import formatting
 from sandbox.model.shapes import XY
 
@@ -56,7 +56,7 @@ class ProbedInstant(NamedTuple):
         return APART.join((body, f"t = {self.t:.3f} s", f"({x}, {y}) m", f"{speed} m/s"))
 
 
-def find(view: View, session: Session, pixel: XY) -> ProbedInstant | None:
+def find(view: DrawingContext, session: Session, pixel: XY) -> ProbedInstant | None:
     """Return the instant of this run or an earlier one nearest to a pixel; None if none is near."""
     if not (view.few and view.shown["trail"] and have_same_bodies(session.world, view.world)):
         return None
@@ -66,7 +66,7 @@ def find(view: View, session: Session, pixel: XY) -> ProbedInstant | None:
     return min(near, key=lambda found: found.distance, default=None)
 
 
-def _near(view: View, history: History, pixel: XY) -> Iterator[ProbedInstant]:
+def _near(view: DrawingContext, history: ThinnedHistory, pixel: XY) -> Iterator[ProbedInstant]:
     """Yield the nearest instant of each moving body, if it is within `REACH`."""
     states, mouse, scale = history.snapshots, view.camera.to_world(pixel), view.camera.scale
     seen, velocity = (
@@ -88,7 +88,7 @@ def _near(view: View, history: History, pixel: XY) -> Iterator[ProbedInstant]:
             )
 
 
-def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:
+def draw(surface: pygame.Surface, view: DrawingContext, session: Session, pixel: XY) -> None:
     """Mark and describe the point of a trail under the mouse."""
     over = surface.get_rect().collidepoint(pixel)
     found = find(view, session, pixel) if over else None

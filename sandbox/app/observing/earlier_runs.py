@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from sandbox.app.drawing import theme
-from sandbox.app.observing.thinned_history import History
+from sandbox.app.observing.thinned_history import ThinnedHistory
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
@@ -19,7 +19,7 @@ class RunObservations(NamedTuple):
 
     trail: ThinnedSeries
     """The paths of the bodies."""
-    history: History
+    history: ThinnedHistory
     """All states that are kept."""
     world: World
     """The world of the run."""
@@ -29,7 +29,7 @@ class RunObservations(NamedTuple):
         return self.world.steps
 
 
-class Earlier(NamedTuple):
+class EarlierRun(NamedTuple):
     """An earlier run with other parameters or actions."""
 
     changed: frozenset[str]
@@ -37,7 +37,7 @@ class Earlier(NamedTuple):
     left: float | None
     """The time at which a branch left it [s]; None if the next run began at the start."""
     trail: ThinnedSeries
-    history: History
+    history: ThinnedHistory
     world: World
     """The observations; see `RunObservations`."""
 
@@ -53,7 +53,7 @@ class Earlier(NamedTuple):
             return say("left at {t:.2f} s", t=self.left)
         return say("{values}, left at {t:.2f} s", values=values, t=self.left)
 
-    def repeats(self, other: "Earlier") -> bool:
+    def repeats(self, other: "EarlierRun") -> bool:
         """Whether the run has the same parameters as another, and was left at the same time."""
         return self.left == other.left and self.world.values == other.world.values
 
@@ -64,14 +64,14 @@ def have_same_bodies(world: World, other: World) -> bool:
 
 
 def with_one_more(
-    earlier: tuple[Earlier, ...], run: RunObservations, values: Values, left: float | None = None
-) -> tuple[Earlier, ...]:
+    earlier: tuple[EarlierRun, ...], run: RunObservations, values: Values, left: float | None = None
+) -> tuple[EarlierRun, ...]:
     """Return the earlier runs with one more, at most as many as there are colours, the newest last.
 
     `values` are the parameters of the next run. If that is a branch, it leaves the run at the time
     `left` [s].
     """
-    made = Earlier(_differing(run.world.values, values), left, *run)
+    made = EarlierRun(_differing(run.world.values, values), left, *run)
     others = tuple(one for one in earlier if not one.repeats(made))
     if (made.changed and len(others) < len(earlier)) or _is_brief(run):
         return earlier

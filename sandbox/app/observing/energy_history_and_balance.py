@@ -30,7 +30,7 @@ class Energies:
     total: float
 
 
-class Books:
+class EnergyHistory:
     """Records the energies of a world from its current state on; `note` is called at every step.
 
     `steps` is the number of steps in the level's duration. The balance is recorded only while it is

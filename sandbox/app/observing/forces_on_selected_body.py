@@ -53,7 +53,7 @@ class SelectedBody:
         """The body that was clicked last; it may not exist in another level or at an earlier
         step."""
         self.seen_from: str | None = None
-        """The place from which the user sees the scene, see `Observer`."""
+        """The place from which the user sees the scene, see `FrameOfReference`."""
         self._bodies: tuple[World, FreeBodies] | None = None
         self._seen: tuple[Snapshot, str, FreeBody | None] | None = None
         self._full: dict[str, float] = {}

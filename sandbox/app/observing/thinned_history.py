@@ -65,7 +65,7 @@ class States:
 _FIELDS = [field.name for field in fields(Snapshot)]
 
 
-class History(States):
+class ThinnedHistory(States):
     """The states of a run, for the graphs."""
 
     def __init__(self, snapshot: Snapshot) -> None:

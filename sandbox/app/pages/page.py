@@ -14,7 +14,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.stage.run_legend import LegendRow
 from sandbox.app.stage.stage import Stage
 from sandbox.app.widgets.scrolling_area import Panel, Sheet, below
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.window_keys import Binding
 from sandbox.model.level import Level
 
@@ -114,7 +114,7 @@ class AskingPage(Protocol):
     """A page that asks for a number."""
 
     @property
-    def awaited(self) -> Field | None:
+    def awaited(self) -> TextField | None:
         """The field that awaits the answer; None while there is no question."""
 
 

@@ -14,20 +14,20 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_list_entries import Entry
 from sandbox.app.files.preferences import WindowPreferences
 from sandbox.app.frame_budget import Load
-from sandbox.app.home.level_gallery import Home
+from sandbox.app.home.level_gallery import LevelGallery
 from sandbox.app.pages import register
 from sandbox.app.pages.worker_registry import Workers
 from sandbox.app.panels import stage_messages
 from sandbox.app.panels.home_bar import HomeBar
-from sandbox.app.panels.keyboard_focus import Focus
+from sandbox.app.panels.keyboard_focus import KeyboardFocus
 from sandbox.app.panels.level_list import LevelList
-from sandbox.app.panels.play_bar import Controls
-from sandbox.app.panels.refused_level import Refusal
+from sandbox.app.panels.play_bar import PlayBar
+from sandbox.app.panels.refused_level import RefusedLevel
 from sandbox.app.panels.side_panel import SidePanel
-from sandbox.app.panels.window_layout import Layout, divide
+from sandbox.app.panels.window_layout import WindowLayout, divide
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.file_dialog import OpenDialog
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.file_dialog import FileDialog
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.widgets.ui_manager import Manager
 from sandbox.app.words import language
 from sandbox.model.errors import SandboxError
@@ -80,8 +80,8 @@ class Panels:
         self._sought = ""
         self.list: LevelList | None = None
         self.page = register.PAGES[0].command
-        self.home = Home(pen)
-        self.focus = Focus()
+        self.home = LevelGallery(pen)
+        self.focus = KeyboardFocus()
         self._begin(size)
 
     def renew(self, size: tuple[int, int]) -> None:
@@ -91,7 +91,7 @@ class Panels:
         self._begin(size)
 
     def _begin(self, size: tuple[int, int]) -> None:
-        self._dialog: OpenDialog | None = None
+        self._dialog: FileDialog | None = None
         self._sought = self.search_text
         self.list = None
         self.offer: UIButton | None = None
@@ -121,7 +121,7 @@ class Panels:
         shown = session is not None and not self.home.open
         with_side = shown and "side" not in self._hidden
         layout = divide(size, levels="levels" not in self._hidden, side=with_side, scale=pen.scale)
-        self.layout: Layout = layout
+        self.layout: WindowLayout = layout
         self._entries = entries
         self._clear((size, layout.levels.width, tuple(entries)))
         if self.list is None and layout.levels.width:
@@ -147,10 +147,10 @@ class Panels:
         if self.home.open:
             self.controls: Bar = HomeBar(manager, pen, layout.controls, session)
         else:
-            self.controls = Controls(manager, pen, layout.controls, home=self.list is None)
+            self.controls = PlayBar(manager, pen, layout.controls, home=self.list is None)
         self.refusal = None
         if refused is not None and not self.home.open:
-            self.refusal = Refusal(manager, pen, layout.stage, refused)
+            self.refusal = RefusedLevel(manager, pen, layout.stage, refused)
         self.offer = None
 
     def _clear(self, listed: object) -> None:
@@ -219,7 +219,7 @@ class Panels:
         """Open the file dialog in a folder."""
         self.close_dialog()
         self.manager.set_focus_set(None)
-        self._dialog = OpenDialog(self.manager, self.layout.stage, folder)
+        self._dialog = FileDialog(self.manager, self.layout.stage, folder)
 
     def close_dialog(self) -> None:
         """Close the file dialog."""
@@ -227,7 +227,7 @@ class Panels:
             self.dialog.kill()  # type: ignore[no-untyped-call]
 
     @property
-    def dialog(self) -> OpenDialog | None:
+    def dialog(self) -> FileDialog | None:
         """The file dialog; None while it is closed."""
         shown = self._dialog is not None and self._dialog.alive()  # type: ignore[no-untyped-call]
         return self._dialog if shown else None
@@ -269,7 +269,7 @@ class Panels:
     def typing(self) -> bool:
         """Whether a field has the focus, or the file dialog is open."""
         focused = self.manager.focused_set or ()
-        return self.dialog is not None or any(isinstance(each, Field) for each in focused)
+        return self.dialog is not None or any(isinstance(each, TextField) for each in focused)
 
     @property
     def _seeking(self) -> bool:

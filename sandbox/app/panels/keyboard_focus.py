@@ -8,12 +8,12 @@ from pygame_gui.core import UIElement
 from pygame_gui.elements import UIButton, UIHorizontalSlider, UIScrollingContainer
 
 from sandbox.app.drawing import theme
-from sandbox.app.panels.window_layout import Layout
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.panels.window_layout import WindowLayout
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.widgets.widget_states_and_scrolling import scroll_position, scroll_to
 
 Containers = Mapping[int, UIScrollingContainer]
-Stop = UIButton | Field | UIHorizontalSlider
+Stop = UIButton | TextField | UIHorizontalSlider
 """The widgets that can have the focus."""
 PRESSING = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
 SLIDING = {pygame.K_LEFT: -1, pygame.K_DOWN: -1, pygame.K_RIGHT: 1, pygame.K_UP: 1}
@@ -25,7 +25,7 @@ INNER = ("#sliding_button", "scroll_bar", "#left_button", "#right_button")
 """The ids of the inner parts of sliders and scroll bars, which cannot have the focus."""
 
 
-class Focus:
+class KeyboardFocus:
     """The keyboard focus among the widgets of a window."""
 
     def __init__(self) -> None:
@@ -38,7 +38,7 @@ class Focus:
         """Whether the focused widget is gone, and its replacement has not been found yet."""
         return self._at is not None and not _seen(self._at)
 
-    def element(self, manager: UIManager, layout: Layout) -> Stop | None:
+    def element(self, manager: UIManager, layout: WindowLayout) -> Stop | None:
         """Return the focused widget, or its replacement after the widgets were rebuilt."""
         if not self.lost:
             return self._at
@@ -49,19 +49,19 @@ class Focus:
         self._around = _scrolling(self._at, _containers(manager)) if self._at is not None else []
         return self._at
 
-    def move(self, manager: UIManager, layout: Layout, direction: int) -> None:
+    def move(self, manager: UIManager, layout: WindowLayout, direction: int) -> None:
         """Move to the next or the previous widget, and scroll it into view."""
         found = stops(manager, layout)
         if not found:
             return
-        typed = next((e for e in found if isinstance(e, Field) and e.is_focused), None)
+        typed = next((e for e in found if isinstance(e, TextField) and e.is_focused), None)
         current = typed or self.element(manager, layout)
         start = found.index(current) if current in found else (-1 if direction > 0 else 0)
         place = (start + direction) % len(found)
         at = self._at = found[place]
         self._known = _text_of(at), place
-        manager.set_focus_set(at.get_focus_set() if isinstance(at, Field) else None)
-        if isinstance(at, Field):
+        manager.set_focus_set(at.get_focus_set() if isinstance(at, TextField) else None)
+        if isinstance(at, TextField):
             at.select_range = [0, len(at.get_text())]
         self._around = _scrolling(at, _containers(manager))
         for container in self._around:
@@ -69,13 +69,13 @@ class Focus:
 
     def leave(self) -> bool:
         """Take the focus from a button or slider, and return whether one had it."""
-        had = self._at is not None and not isinstance(self._at, Field)
+        had = self._at is not None and not isinstance(self._at, TextField)
         self._at, self._around = None, []  # a container would keep all widgets of its time
         return had
 
-    def key(self, manager: UIManager, layout: Layout, event: pygame.event.Event) -> bool:
+    def key(self, manager: UIManager, layout: WindowLayout, event: pygame.event.Event) -> bool:
         """Handle a key for the focused button or slider, and return whether it had an effect."""
-        if any(isinstance(each, Field) for each in manager.focused_set or ()):
+        if any(isinstance(each, TextField) for each in manager.focused_set or ()):
             return False
         at = self.element(manager, layout)
         if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
@@ -88,10 +88,10 @@ class Focus:
             return True
         return False
 
-    def draw(self, surface: pygame.Surface, manager: UIManager, layout: Layout) -> None:
+    def draw(self, surface: pygame.Surface, manager: UIManager, layout: WindowLayout) -> None:
         """Draw a ring around the visible part of the focused widget."""
         at = self.element(manager, layout)
-        if at is None or (isinstance(at, Field) and not at.is_focused):
+        if at is None or (isinstance(at, TextField) and not at.is_focused):
             return
         surface.set_clip(surface.get_rect())
         for container in self._around:
@@ -101,7 +101,7 @@ class Focus:
         surface.set_clip(None)
 
 
-def stops(manager: UIManager, layout: Layout) -> Sequence[Stop]:
+def stops(manager: UIManager, layout: WindowLayout) -> Sequence[Stop]:
     """Return the widgets that can have the focus, in the order of Tab.
 
     These are the widgets on the page of the side panel, around it, in the bar below, around and in
@@ -110,7 +110,7 @@ def stops(manager: UIManager, layout: Layout) -> Sequence[Stop]:
     every = [each for each in manager.get_sprite_group().sprites() if isinstance(each, Stop)]
     found = [each for each in every if _is_a_stop(each)]
     found = [each for each in found if DIALOG in each.most_specific_combined_id] or found
-    fields = {id(each.ui_container) for each in found if isinstance(each, Field)}
+    fields = {id(each.ui_container) for each in found if isinstance(each, TextField)}
     elements = [
         each
         for each in found
@@ -129,7 +129,7 @@ def _seen(each: UIElement) -> bool:
     return bool(each.alive() and each.visible)  # type: ignore[no-untyped-call]
 
 
-def _rank(layout: Layout, each: UIElement, containers: Containers) -> tuple[int, int, int]:
+def _rank(layout: WindowLayout, each: UIElement, containers: Containers) -> tuple[int, int, int]:
     x, y = each.rect.center
     scrolls = bool(_scrolling(each, containers))
     if layout.side.left <= x and (scrolls or y < layout.controls.top) and layout.side.width:

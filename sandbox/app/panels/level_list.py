@@ -15,10 +15,10 @@ from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files.challenge_stars import Progress
+from sandbox.app.files.challenge_stars import ChallengeStars
 from sandbox.app.files.level_list_entries import Entry, entry
 from sandbox.app.keymap import tip
-from sandbox.app.widgets.text_field import LONGEST, Field
+from sandbox.app.widgets.text_field import LONGEST, TextField
 from sandbox.app.widgets.widget_states_and_scrolling import (
     Row,
     scroll_position,
@@ -91,7 +91,7 @@ class LevelList:
         self.column = UIContainer(rect, manager)
         """The container of all widgets."""
         self._commands = dict(self._make_links(manager, pen, width))
-        self.field = Field(
+        self.field = TextField(
             pygame.Rect(px(MARGIN), 2 * px(MARGIN) + px(FIELD), width, px(FIELD)), manager,
             container=self.column,
             initial_text=search, placeholder_text=say("Find a level ( / )"),
@@ -113,7 +113,7 @@ class LevelList:
         """The buttons made so far."""
         self._seen: float | None = None  # px, the scroll position when rows were last made
         self._chosen: Path | None = None
-        self._progress = Progress()
+        self._progress = ChallengeStars()
         for chapter in dict.fromkeys(level.chapter for level in levels):
             title = say(chapter.capitalize())
             self._headings[chapter] = self._image(manager, pen, title, theme.ACCENT, bold=True)
@@ -210,7 +210,7 @@ class LevelList:
 
     def mark_stars(self) -> None:
         """Show the stars earned so far in the rows."""
-        self._progress = Progress()
+        self._progress = ChallengeStars()
         for level, row in self.rows.items():
             caption, row.tool_tip_text = self._caption(level)
             row.set_text(caption)

@@ -36,7 +36,7 @@ MARKED = "grab", "release", "place", "branch", "alter"
 NEARLY = 0.95  # a speed above this share of the chosen one is not reported as lower
 
 
-class Controls(Bar):
+class PlayBar(Bar):
     """Buttons for the most frequent commands, and the clock between them.
 
     Parameters

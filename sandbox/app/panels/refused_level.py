@@ -6,7 +6,7 @@ import pygame
 from pygame_gui import UIManager
 
 from sandbox.app.cards import mistakes
-from sandbox.app.cards.text_column import Card
+from sandbox.app.cards.text_column import TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.scrolling_area import Sheet, below
@@ -29,7 +29,7 @@ def in_brief(path: Path, error: SandboxError) -> str:
     return say("{file} cannot be opened: {reason}", file=path.name, reason=reason)
 
 
-class Refusal:
+class RefusedLevel:
     """A page in place of the stage, which scrolls if necessary."""
 
     def __init__(
@@ -56,7 +56,7 @@ class Refusal:
 
 
 def _head(pen: Pen, width: int, error: SandboxError, *, mendable: bool) -> pygame.Surface:
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.text(say("This level cannot be opened"), 20, theme.FAILED, bold=True)
     card.y += 4
     way_out = say("Choose another level.")

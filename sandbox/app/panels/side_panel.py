@@ -16,9 +16,9 @@ from sandbox.app.pages import register
 from sandbox.app.pages.page import AskingPage, CommandPage, Desk, ZoomablePage
 from sandbox.app.pages.worker_registry import Workers
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
-from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Footer, View
+from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, VerdictsAndEnergies, View
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.parameter_sliders import Parameters
+from sandbox.app.widgets.parameter_sliders import ParameterSliders
 from sandbox.app.widgets.scrolling_area import MARGIN, Panel, Sheet
 from sandbox.app.widgets.widget_states_and_scrolling import scroll_position, scroll_to
 from sandbox.app.words.formatting import seconds
@@ -138,7 +138,7 @@ class SidePanel:
         return self._tabs.tab(page)
 
     @property
-    def parameters(self) -> Parameters:
+    def parameters(self) -> ParameterSliders:
         """The parameters; none if the page does not show them."""
         return self._sheet.parameters
 
@@ -186,9 +186,9 @@ class SidePanel:
 
 def _possible_footers(
     manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
-) -> Iterator[Footer]:
+) -> Iterator[VerdictsAndEnergies]:
     """Yield possible footers: the wanted view, then the lowest; each is removed for the next."""
     for each in dict.fromkeys((view, FOLDED)):
-        foot = Footer(manager, pen, rect, session, each)
+        foot = VerdictsAndEnergies(manager, pen, rect, session, each)
         yield foot
         foot.kill()

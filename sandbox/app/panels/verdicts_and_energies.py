@@ -43,7 +43,7 @@ SIZE = 13  # of the letters in that line
 LAST = 8  # px, the margin at the bottom
 
 
-class Footer:
+class VerdictsAndEnergies:
     """The footer below every page."""
 
     def __init__(

@@ -14,7 +14,7 @@ STAGE = 460, 300  # px, the least width of the stage with both columns, and with
 
 
 @dataclass(frozen=True, slots=True)
-class Layout:
+class WindowLayout:
     """The parts of the window; the width of a hidden column is 0."""
 
     levels: Rect
@@ -31,7 +31,7 @@ def room(column: str, scale: float, *, beside: bool) -> int:
     return max(ROOM["levels"], round(LEVELS[0] * scale) + other + STAGE[0])
 
 
-def divide(size: tuple[int, int], levels: bool, side: bool, scale: float = 1.0) -> Layout:
+def divide(size: tuple[int, int], levels: bool, side: bool, scale: float = 1.0) -> WindowLayout:
     """Divide a window; in a narrow one the columns are narrower, or hidden.
 
     At a larger scale they are wider, and the list is hidden before the side panel.
@@ -47,7 +47,7 @@ def divide(size: tuple[int, int], levels: bool, side: bool, scale: float = 1.0) 
         left = _between(LEVELS, scale, width * 19 // 100)
         left = min(left, width - right - STAGE[0])
     upper = height - bar
-    return Layout(
+    return WindowLayout(
         levels=Rect(0, 0, left, upper),
         stage=Rect(left, 0, width - left - right, upper),
         side=Rect(width - right, 0, right, upper),

@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING, Literal
 
 from sandbox.app.observing import events_of_checks
 from sandbox.app.observing.checks_of_unfinished_run import Reading, RunGrader, TimeShare
-from sandbox.app.observing.earlier_runs import Earlier, RunObservations, with_one_more
-from sandbox.app.observing.energy_history_and_balance import Books
+from sandbox.app.observing.earlier_runs import EarlierRun, RunObservations, with_one_more
+from sandbox.app.observing.energy_history_and_balance import EnergyHistory
 from sandbox.app.observing.events_of_checks import Milestone
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.impacts import ImpactLog, ImpactMarks
-from sandbox.app.observing.thinned_history import History
+from sandbox.app.observing.thinned_history import ThinnedHistory
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.keyframes import Keyframe, Keyframes
-from sandbox.app.runs.play_speed import Pace
+from sandbox.app.runs.play_speed import PlaySpeed
 from sandbox.app.runs.run_start import RunStart
 from sandbox.app.runs.step_timer import StepTimer
-from sandbox.app.runs.time_and_memory_limits import Limits
+from sandbox.app.runs.time_and_memory_limits import TimeAndMemoryLimits
 from sandbox.app.runs.user_interventions import Action, perform
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -38,7 +38,9 @@ if TYPE_CHECKING:
 class LiveRun:
     """A run of a level, `original` as its file declares it, from the start to the step shown."""
 
-    def __init__(self, original: Level, begun: RunStart, earlier: tuple[Earlier, ...] = ()) -> None:
+    def __init__(
+        self, original: Level, begun: RunStart, earlier: tuple[EarlierRun, ...] = ()
+    ) -> None:
         self.world = world = begun.world
         """The world of the run; a new one after the run has branched."""
         self.companions = begun.companions
@@ -58,15 +60,15 @@ class LiveRun:
         self.advice: Advice | None = None
         """Whether remedies are being tried, and those found; None if not known yet."""
         self.trail = ThinnedSeries(world.snapshot.position)
-        self.history = History(world.snapshot)
-        self.books = Books(world, self.end)
+        self.history = ThinnedHistory(world.snapshot)
+        self.books = EnergyHistory(world, self.end)
         """The energies of the run, and their balance."""
         self.blows = ImpactLog(world)
         """The impacts, for flashes and tones."""
         self.contacts = FirstContacts(world)
         self.marks = ImpactMarks()
         """The impacts that are marked on the time bar, also those after the current step."""
-        self.pace = Pace()
+        self.pace = PlaySpeed()
         self.actions: list[Action] = []
         """The user's actions up to the current step."""
         self.script: Sequence[Action] = ()
@@ -78,7 +80,7 @@ class LiveRun:
         self._fork: World | None = None  # the world before the last branch
         graded = *needed(original), *needed(world.level), *events_of_checks.needed(world.level)
         self._quantities = tuple(dict.fromkeys(graded))
-        self.limits = Limits()
+        self.limits = TimeAndMemoryLimits()
         self._patience = TimeLimit()
         self._record()
 
@@ -274,12 +276,12 @@ class LiveRun:
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
         booked = self.books.kept
-        self.books = Books(world, self.end)
+        self.books = EnergyHistory(world, self.end)
         self.books.keep(booked)
         self.blows = ImpactLog(world)
         self.contacts = FirstContacts(world)
         self.trail = ThinnedSeries(world.snapshot.position)
-        self.history = History(world.snapshot)
+        self.history = ThinnedHistory(world.snapshot)
         self._renew_keyframes()
 
     def _renew_keyframes(self) -> None:

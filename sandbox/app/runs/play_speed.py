@@ -8,7 +8,7 @@ SPEEDS = (0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 MEMORY = 0.5  # s
 
 
-class Pace:
+class PlaySpeed:
     """Measures the pace of the simulation, and dropped steps, over the last `MEMORY` seconds."""
 
     def __init__(self) -> None:

@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from sandbox.app.observing.earlier_runs import Earlier, RunObservations, have_same_bodies
-from sandbox.app.observing.energy_history_and_balance import Books
-from sandbox.app.observing.thinned_history import History
+from sandbox.app.observing.earlier_runs import EarlierRun, RunObservations, have_same_bodies
+from sandbox.app.observing.energy_history_and_balance import EnergyHistory
+from sandbox.app.observing.thinned_history import ThinnedHistory
 from sandbox.app.observing.thinned_series import ThinnedSeries
 from sandbox.app.runs.companion_runs import Companion
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.play_speed import Pace
+from sandbox.app.runs.play_speed import PlaySpeed
 from sandbox.app.runs.step_timer import StepTimer
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from sandbox.physics.accuracy.requested_accuracy import Setting
 
 
-class RunView:
+class ReadOnlyRun:
     """Read access to the current run."""
 
     def __init__(self, run: LiveRun) -> None:
@@ -51,7 +51,7 @@ class RunView:
         return self.run.companions
 
     @property
-    def earlier(self) -> tuple[Earlier, ...]:
+    def earlier(self) -> tuple[EarlierRun, ...]:
         """The last runs with other parameters and the same bodies, the newest last."""
         return tuple(run for run in self.run.earlier if have_same_bodies(run.world, self.world))
 
@@ -68,12 +68,12 @@ class RunView:
         return self.run.trail
 
     @property
-    def history(self) -> History:
+    def history(self) -> ThinnedHistory:
         """The states of the current run."""
         return self.run.history
 
     @property
-    def books(self) -> Books:
+    def books(self) -> EnergyHistory:
         """The energies of the run, and their balance."""
         return self.run.books
 
@@ -113,7 +113,7 @@ class RunView:
         return self.run.clock
 
     @property
-    def pace(self) -> Pace:
+    def pace(self) -> PlaySpeed:
         """The pace at which the machine simulates the run."""
         return self.run.pace
 

@@ -18,7 +18,7 @@ from sandbox.app.runs.abandoned_run_records import Records
 from sandbox.app.runs.grabbed_body import Grip
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.play_speed import faster, slower
-from sandbox.app.runs.read_only_run import RunView
+from sandbox.app.runs.read_only_run import ReadOnlyRun
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
@@ -32,7 +32,7 @@ FADING = 0.25  # s, the time in which a flash at an impact fades
 ON_THE_WAY = 0.05  # s, the time for seeking in later frames
 
 
-class Playback(RunView, ABC):
+class RunPlayer(ReadOnlyRun, ABC):
     """A run that is played.
 
     If `watched`, it pauses with a message when a step takes long or memory is full.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from sandbox.app.observing.forces_on_selected_body import SelectedBody
 from sandbox.app.runs.companion_runs import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.run_player import AT_ONCE, Playback
+from sandbox.app.runs.run_player import AT_ONCE, RunPlayer
 from sandbox.app.runs.run_start import RunStart, at_rate, begin
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError, ValueRangeError
@@ -26,7 +26,7 @@ MOST_LEVELS = 4
 """The number of levels for which the parameters that fit are kept."""
 
 
-class Session(Playback):
+class Session(RunPlayer):
     """A level that is played, with its own parameters and rate [Hz] unless others are given.
 
     If `patient`, it searches at once for a setting that reaches the accuracy the level asks for,

@@ -12,7 +12,7 @@ SLOW = 1.0
 """The longest time of a step [s], since a frame waits for it."""
 
 
-class Limits:
+class TimeAndMemoryLimits:
     """Watches one run."""
 
     recorder: Recorder

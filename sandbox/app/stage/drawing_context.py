@@ -11,7 +11,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.stage import motion_annotations
 from sandbox.app.stage.body_outlines import Outline, outlines
-from sandbox.app.stage.frame_of_reference import Observer
+from sandbox.app.stage.frame_of_reference import FrameOfReference
 from sandbox.app.stage.given_force_arrows import Forces
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.formatting import rounded_up
@@ -32,7 +32,7 @@ LONGER = 1.1
 """An arrow longer than this multiple of the longest length makes the scale shrink."""
 
 
-class View:
+class DrawingContext:
     """A world with its camera and its outlines."""
 
     def __init__(
@@ -40,7 +40,7 @@ class View:
         seen_from: str | None = None,
     ) -> None:  # fmt: skip
         self.world, self.camera, self.pen = world, camera, pen
-        self.observer = Observer(world, seen_from)
+        self.observer = FrameOfReference(world, seen_from)
         """The observer of the picture."""
         self.shown = shown
         """Whether each overlay is drawn, by name."""

@@ -10,7 +10,7 @@ CENTER = ""
 """The place of an observer at the centre of mass, which is no body's name."""
 
 
-class Observer:
+class FrameOfReference:
     """Someone who moves with a place in a world, but never turns.
 
     `place` is a body or `CENTER`; None for the ground, also if the world lacks what is asked for.

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import pygame
 
 from sandbox.app.drawing import lines
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.frame_of_reference import CENTER
 from sandbox.app.words import level_translation
 from sandbox.app.words.formatting import name_in_words
@@ -18,7 +18,7 @@ from sandbox.physics.state.joint_anchors import Anchor
 MARGIN = 8  # px, from the corner to the name of the observer
 
 
-def draw_texts(surface: pygame.Surface, view: View) -> None:
+def draw_texts(surface: pygame.Surface, view: DrawingContext) -> None:
     """Draw the labels of a level, and reserve their places among other labels."""
     world, words = view.world, level_translation.of(view.world.level)
     rows = {name: row for row, name in enumerate(world.level.bodies)}
@@ -34,7 +34,7 @@ def draw_texts(surface: pygame.Surface, view: View) -> None:
             view.labels.occupy(where)
 
 
-def draw_observer(surface: pygame.Surface, view: View) -> None:
+def draw_observer(surface: pygame.Surface, view: DrawingContext) -> None:
     """Write in the lower left corner from where the world is seen, unless from the ground."""
     place = view.observer.place
     if place is None:

@@ -5,7 +5,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from sandbox.app.stage.frame_of_reference import Observer
+from sandbox.app.stage.frame_of_reference import FrameOfReference
 from sandbox.app.stage.motion_annotations import PATH_POINTS, ghost_positions
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.expressions import Array
@@ -39,9 +39,9 @@ def bodies_with_momentum(world: World) -> list[tuple[int, str]]:
 def momenta(world: World, snapshot: Snapshot, place: str | None = None) -> Array:
     """Return the momenta of bodies, (n, 2) or, for stacked snapshots, (k, n, 2) [kg m/s].
 
-    They are as seen from a place, see `Observer`.
+    They are as seen from a place, see `FrameOfReference`.
     """
-    scene, velocity = world.scene, Observer(world, place).relative(snapshot.velocity)
+    scene, velocity = world.scene, FrameOfReference(world, place).relative(snapshot.velocity)
     product: Array = (scene.mass * scene.mass_fraction(snapshot.t))[..., None] * velocity
     return product
 

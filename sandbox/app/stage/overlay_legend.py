@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.model.shapes import XY
 
 MARGIN = 8  # px, from the corner
@@ -18,7 +18,7 @@ Row = tuple[Callable[[pygame.Surface, XY, XY], None], str]
 """A function that draws a sample between two points [px], and the text beside it."""
 
 
-def draw(surface: pygame.Surface, view: View, rows: Sequence[Row], name: str) -> None:
+def draw(surface: pygame.Surface, view: DrawingContext, rows: Sequence[Row], name: str) -> None:
     """Draw a key of some rows, above any other there; it is left out if there is no room.
 
     Text that is too wide for the stage is written smaller.

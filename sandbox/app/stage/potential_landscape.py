@@ -20,7 +20,7 @@ TICKS = 3
 """The approximate number of labels on the axis of energies."""
 
 
-class Relief:
+class PotentialLandscape:
     """Draws the landscape of a world.
 
     The curve is that of the formula; the point and the line are measured.

@@ -13,7 +13,7 @@ from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 
 if TYPE_CHECKING:
-    from sandbox.app.stage.drawing_context import View
+    from sandbox.app.stage.drawing_context import DrawingContext
 
 CORNER = 44, 62  # px, clear of the ruler and of a banner of one line
 GAP = 8  # px, below a banner of several lines, and from the right edge
@@ -35,7 +35,7 @@ def earlier(texts: Sequence[str]) -> Sequence[LegendRow]:
 
 def draw(
     surface: pygame.Surface, pen: Pen, rows: Sequence[LegendRow], banner: int = 0,
-    view: "View | None" = None,
+    view: "DrawingContext | None" = None,
 ) -> None:  # fmt: skip
     """Draw a row for each run in a corner, below the banner, where it covers no moving body.
 
@@ -68,7 +68,7 @@ def draw(
 
 
 def _place(
-    bounds: pygame.Rect, size: tuple[int, int], top: int, view: "View | None"
+    bounds: pygame.Rect, size: tuple[int, int], top: int, view: "DrawingContext | None"
 ) -> pygame.Rect | None:
     """Return the box of the legend, of some size, below a height [px]; None without room."""
     left = pygame.Rect((CORNER[0], top), size)

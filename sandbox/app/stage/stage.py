@@ -25,13 +25,13 @@ from sandbox.app.stage import (
     wires,
 )
 from sandbox.app.stage.body_outlines import Outline
-from sandbox.app.stage.drawing_context import View
-from sandbox.app.stage.frame_of_reference import Observer
+from sandbox.app.stage.drawing_context import DrawingContext
+from sandbox.app.stage.frame_of_reference import FrameOfReference
 from sandbox.app.stage.given_force_arrows import Arrow
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
-from sandbox.app.stage.potential_landscape import Relief
+from sandbox.app.stage.potential_landscape import PotentialLandscape
 from sandbox.app.words import level_translation
 from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate
@@ -50,7 +50,7 @@ class Stage:
     camera
         The part of the plane that is shown.
     seen_from
-        The place of the observer, see `Observer`.
+        The place of the observer, see `FrameOfReference`.
     shown
         Whether each overlay is drawn, by name.
     asked
@@ -61,7 +61,7 @@ class Stage:
         Whether grid, rulers and scale bar are left out, as in a picture too small for them.
     """
 
-    view: View
+    view: DrawingContext
 
     def __init__(self, pen: Pen, size: tuple[int, int], *, plain: bool = False) -> None:
         self.camera, self.plain = Camera(size), plain
@@ -85,17 +85,17 @@ class Stage:
                 if overlay.on is not None:
                     self.shown[overlay.name] = overlay.on(world.level)
         fastest = self.view.fastest if again and float(world.snapshot.t) else 0.0  # of the same run
-        self.view = View(world, self.camera, self._pen, self.shown, self.seen_from)
+        self.view = DrawingContext(world, self.camera, self._pen, self.shown, self.seen_from)
         self.view.keep_scale(fastest)
         landscape = world.level.view.landscape
-        self._relief = landscape and Relief(landscape, world)
+        self._relief = landscape and PotentialLandscape(landscape, world)
         self._base_key = None
         if self.camera.fitted:
             self.fit()
 
     def observe(self, place: str | None) -> None:
-        """Show the world as seen from a place, see `Observer`."""
-        self.seen_from, self.view.observer = place, Observer(self.view.world, place)
+        """Show the world as seen from a place, see `FrameOfReference`."""
+        self.seen_from, self.view.observer = place, FrameOfReference(self.view.world, place)
 
     def fit(self) -> None:
         """Show the part of the plane in the level's view."""
@@ -331,7 +331,7 @@ class Stage:
         self.view.note_speeds()
 
 
-def _mark_lines(view: View, drawn: Sequence[Sequence[XY]]) -> None:
+def _mark_lines(view: DrawingContext, drawn: Sequence[Sequence[XY]]) -> None:
     """Keep labels off drawn wires, surfaces, posts, springs, strings and rods, if possible.
 
     Outlines with many corners are left out, since each piece takes time in each frame.

@@ -16,14 +16,14 @@ from pygame_gui import (
 from pygame_gui.windows import UIFileDialog
 
 from sandbox.app.drawing.text import legible
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.words.language import say
 
 SIZE = 560, 460  # px, if there is room
 SMALLEST = 260, 300  # px, the minimum of pygame_gui
 
 
-class OpenDialog(UIFileDialog):
+class FileDialog(UIFileDialog):
     """A dialog that opens a level in a folder; it neither writes nor removes files."""
 
     def __init__(self, manager: UIManager, stage: pygame.Rect, folder: Path) -> None:
@@ -43,7 +43,7 @@ class OpenDialog(UIFileDialog):
     def _take_letters_that_can_be_drawn(self, manager: UIManager) -> None:
         """Replace pygame_gui's field by the app's own."""
         line = self.file_path_text_line
-        self.file_path_text_line = Field(
+        self.file_path_text_line = TextField(
             line.relative_rect, manager, container=self, initial_text=line.get_text(),
             anchors={"left": "left", "right": "right", "top": "top", "bottom": "top"},
         )  # fmt: skip

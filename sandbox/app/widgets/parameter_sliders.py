@@ -10,7 +10,7 @@ from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContaine
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.round_slider_steps import rounded, step_size
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.words import formatting
 from sandbox.app.words.level_translation import Say
 from sandbox.app.words.typed_numbers import read
@@ -34,7 +34,7 @@ class Row:
 
     parameter: Parameter
     slider: UIHorizontalSlider
-    field: Field
+    field: TextField
     shown: str
     """the text of the field while nothing is typed"""
 
@@ -50,7 +50,7 @@ class Change:
     """whether Shift was held while dragging; see `otherwise` of `Session.change`"""
 
 
-class Parameters:
+class ParameterSliders:
     """Rows of widgets, one for each parameter, at the top of an area of a container."""
 
     def __init__(
@@ -87,7 +87,7 @@ class Parameters:
         for image, x in texts:
             place = image.get_rect(midleft=(x, rect.y + px(13)))
             UIImage(place, image, manager, container=container)
-        field = Field(box, manager, container=container)
+        field = TextField(box, manager, container=container)
         field.set_text_length_limit(LONGEST)
         slider = UIHorizontalSlider(
             pygame.Rect(rect.x, rect.y + px(29), rect.width, px(13)), value,

@@ -9,7 +9,7 @@ from pygame_gui.core import ObjectID, UIContainer
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer, UISelectionList
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.widgets.parameter_sliders import Parameters
+from sandbox.app.widgets.parameter_sliders import ParameterSliders
 from sandbox.app.words.level_translation import Say
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter
@@ -43,7 +43,7 @@ class Sheet:
         self.container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
         """The container of pygame_gui."""
         nowhere = pygame.Rect(0, 0, 0, 0)
-        self.parameters = Parameters(manager, pen, self.container, nowhere, {}, {})
+        self.parameters = ParameterSliders(manager, pen, self.container, nowhere, {}, {})
         """The fields and sliders of parameters; empty unless a page adds some."""
         self.checks: UIImage | None = None
         """The picture of the checks; None unless a page adds it."""
@@ -85,10 +85,12 @@ class Sheet:
 
     def add_parameters(
         self, y: int, parameters: Mapping[str, Parameter], values: Values, words: Say
-    ) -> Parameters:
+    ) -> ParameterSliders:
         """Add fields and sliders of parameters at a height [px]."""
         area = pygame.Rect(self.margin, y, self.width, 0)
-        found = Parameters(self.manager, self.pen, self.container, area, parameters, values, words)
+        found = ParameterSliders(
+            self.manager, self.pen, self.container, area, parameters, values, words
+        )
         self.parameters = found
         return found
 

@@ -10,7 +10,7 @@ LONGEST = 100
 """The largest number of characters that are pasted."""
 
 
-class Field(UITextEntryLine):
+class TextField(UITextEntryLine):
     """A line of text that accepts every character that can be drawn.
 
     pygame_gui accepts characters without width, and fails to draw them. It also refuses all pasted

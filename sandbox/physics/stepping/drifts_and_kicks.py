@@ -18,7 +18,7 @@ from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.scene.substep import Substep, once
 from sandbox.physics.state.kick_context import Clock, Kick, Work
 from sandbox.physics.stepping.applied_forces import Forces
-from sandbox.physics.stepping.kicks_without_drift import HeldKicks
+from sandbox.physics.stepping.kicks_without_drift import KicksWithoutDrift
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.step_hook import Hook
@@ -41,7 +41,7 @@ class Kicks:
         self._drift_and_kick, self._set_gravity = stepper(self._space), gravity_setter(self._space)
         self._hook: Hook | None = None
         positions = scene.direct is not None
-        self._held_kicks = HeldKicks(
+        self._held_kicks = KicksWithoutDrift(
             scene, self.finish, has_contacts=has_contacts, positions=positions
         )
         self.settling = self._held_kicks.settling

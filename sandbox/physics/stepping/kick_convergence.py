@@ -53,7 +53,7 @@ class KickRepetition:
         """Repeat a kick, and return the velocities after the last one: (n, 3).
 
         `once` applies the kick, to the same velocities each time, and returns those after it;
-        `kick` and `acceleration` are those of `HeldKicks.kick`.
+        `kick` and `acceleration` are those of `KicksWithoutDrift.kick`.
         """
         rounding, cyclic_rounding = self._tolerances(kick, acceleration)
         sweeps, after = self._space.iterations, once()

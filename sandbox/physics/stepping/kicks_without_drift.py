@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from sandbox.physics.stepping.kick_convergence import KickRepetition
 
 
-class HeldKicks:
+class KicksWithoutDrift:
     """Kicks the n bodies of a scene while they are held in place.
 
     `finish` completes a kick of pymunk's, and raises errors from it. `positions` tells

@@ -8,7 +8,7 @@ import pygame
 import pytest
 
 from sandbox.app.files import recent_files, save_folder
-from sandbox.app.files.recent_files import Recent
+from sandbox.app.files.recent_files import RecentFiles
 from sandbox.app.window import Window
 from sandbox.model import level_catalog
 from tests.app import scenes
@@ -38,35 +38,35 @@ def test_a_dropped_file_is_there_when_the_window_is_opened_again(person: Person,
 def test_levels_of_the_catalogue_are_not_kept(person: Person) -> None:
     person.window.open_level("kinematics/free-fall")
 
-    assert Recent().paths == ()
+    assert RecentFiles().paths == ()
 
 
 def test_the_latest_comes_first_and_once(tmp_path: Path) -> None:
     paths = [tmp_path / f"{i}.json" for i in range(recent_files.MOST + 3)]
-    files = Recent()
+    files = RecentFiles()
     for path in (*paths, paths[5]):
         path.touch()
         assert files.add(path) == ""
 
-    assert Recent().paths[0] == paths[5]
-    assert len(Recent().paths) == len(set(Recent().paths)) == recent_files.MOST
+    assert RecentFiles().paths[0] == paths[5]
+    assert len(RecentFiles().paths) == len(set(RecentFiles().paths)) == recent_files.MOST
 
 
 def test_a_file_that_is_gone_is_left_out(own: Path) -> None:
-    Recent().add(own)
+    RecentFiles().add(own)
     own.unlink()
 
-    assert Recent().paths == ()
+    assert RecentFiles().paths == ()
 
 
 def test_two_windows_keep_each_others_files(own: Path, tmp_path: Path) -> None:
-    one, other = Recent(), Recent()
+    one, other = RecentFiles(), RecentFiles()
     one.add(own)
     another = tmp_path / "another.json"
     another.touch()
     other.add(another)
 
-    assert Recent().paths == (another, own)
+    assert RecentFiles().paths == (another, own)
 
 
 @pytest.mark.parametrize(
@@ -76,9 +76,9 @@ def test_a_file_that_something_else_has_written_counts_as_none(content: bytes, o
     recent_files.file().parent.mkdir(parents=True)
     recent_files.file().write_bytes(content)
 
-    assert Recent().paths == ()
-    assert Recent().add(own) == ""
-    assert Recent().paths == (own,)
+    assert RecentFiles().paths == ()
+    assert RecentFiles().add(own) == ""
+    assert RecentFiles().paths == (own,)
 
 
 def test_what_cannot_be_kept_is_told_once_and_the_level_opens(
@@ -95,8 +95,8 @@ def test_what_cannot_be_kept_is_told_once_and_the_level_opens(
 
 def dialog(person: Person, folder: Path) -> None:
     """Ask for a file, with another one opened before."""
-    Recent().add(folder / "mine.json")
-    person.window.files.recent = Recent()
+    RecentFiles().add(folder / "mine.json")
+    person.window.files.recent = RecentFiles()
     person.press(pygame.K_o, "\x0f", pygame.KMOD_LCTRL)
     assert person.window.panels.dialog is not None
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.files.challenge_stars import Progress
+from sandbox.app.files.challenge_stars import ChallengeStars
 from sandbox.app.pages.challenge.card import NONE
 from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.panels.level_list import LevelList
@@ -55,7 +55,7 @@ def test_only_free_parameters_can_be_changed_here(person: Person) -> None:
 def test_a_solved_challenge_earns_its_stars_and_its_title_a_mark(person: Person) -> None:
     person.window.open_level(LEVEL)
     play_to_the_end(person)
-    assert Progress().stars("Stop dead") == 0
+    assert ChallengeStars().stars("Stop dead") == 0
 
     person.session.restart({"m2": 2, "v1": 3})
     play_to_the_end(person)
@@ -63,7 +63,7 @@ def test_a_solved_challenge_earns_its_stars_and_its_title_a_mark(person: Person)
     attempt = person.session.attempt()
     assert attempt is not None
     assert attempt.stars == 3
-    assert Progress().stars("Stop dead") == 3
+    assert ChallengeStars().stars("Stop dead") == 3
     banner = person.window.banner
     banner.write("")
     assert banner._complete(person.session).startswith("3 of 3 stars – ")
@@ -102,7 +102,7 @@ def test_fewer_stars_than_before_change_nothing(person: Person) -> None:
     attempt = person.session.attempt()
     assert attempt is not None
     assert attempt.stars == 2
-    assert Progress().stars("Stop dead") == 3
+    assert ChallengeStars().stars("Stop dead") == 3
 
 
 def test_a_hand_earns_no_stars(person: Person) -> None:
@@ -114,7 +114,7 @@ def test_a_hand_earns_no_stars(person: Person) -> None:
 
     assert person.session.attempt() is None
     play_to_the_end(person)
-    assert Progress().stars("Stop dead") == 0
+    assert ChallengeStars().stars("Stop dead") == 0
 
 
 def test_a_run_from_a_file_earns_no_stars(person: Person, tmp_path: Path) -> None:
@@ -130,7 +130,7 @@ def test_a_run_from_a_file_earns_no_stars(person: Person, tmp_path: Path) -> Non
     attempt = person.session.attempt()
     assert attempt is not None
     assert attempt.stars == 3
-    assert Progress().stars("Stop dead") == 0
+    assert ChallengeStars().stars("Stop dead") == 0
     assert "earns none" in person.window.banner._note
 
 

@@ -11,7 +11,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
-from sandbox.app.observing.thinned_history import History
+from sandbox.app.observing.thinned_history import ThinnedHistory
 from sandbox.app.observing.thinned_series import CAPACITY
 from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 from sandbox.app.pages.graph.card import graphs, measured, span_of
@@ -41,7 +41,7 @@ def test_a_history_gives_back_every_state_it_has_noted() -> None:
 
 def test_a_history_is_bounded_and_then_has_every_second_state() -> None:
     world = opened("kinematics/free-fall", 0).world
-    history = History(world.snapshot)
+    history = ThinnedHistory(world.snapshot)
     for _ in range(2 * CAPACITY):
         history.note(world.snapshot)
 

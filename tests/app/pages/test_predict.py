@@ -9,7 +9,7 @@ import pygame
 import pytest
 
 from sandbox.app.cards.checks import TOUCHED
-from sandbox.app.cards.text_column import Card
+from sandbox.app.cards.text_column import TextColumn
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.predict import card, neglected_effects
@@ -61,18 +61,18 @@ def asked(person: Person, tmp_path: Path) -> Person:
 def written(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Everything that is written on cards from now on."""
     texts: list[str] = []
-    text, columns = Card.text, Card.columns
+    text, columns = TextColumn.text, TextColumn.columns
 
-    def paragraph(card: Card, told: str, *rest: Any, **more: Any) -> None:  # noqa: ANN401
+    def paragraph(card: TextColumn, told: str, *rest: Any, **more: Any) -> None:  # noqa: ANN401
         texts.append(told)
         text(card, told, *rest, **more)
 
-    def row(card: Card, cells: Sequence[tuple[str, Color]], size: int) -> None:
+    def row(card: TextColumn, cells: Sequence[tuple[str, Color]], size: int) -> None:
         texts.extend(told for told, _ in cells)
         columns(card, cells, size)
 
-    monkeypatch.setattr(Card, "text", paragraph)
-    monkeypatch.setattr(Card, "columns", row)
+    monkeypatch.setattr(TextColumn, "text", paragraph)
+    monkeypatch.setattr(TextColumn, "columns", row)
     return texts
 
 

@@ -8,7 +8,7 @@ import pytest
 from sandbox.app.pages.effects import switching_effects
 from sandbox.app.runs import session as session_module
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.play_speed import SPEEDS, Pace
+from sandbox.app.runs.play_speed import SPEEDS, PlaySpeed
 from sandbox.app.runs.run_start import begin
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
@@ -123,7 +123,7 @@ def test_what_the_budget_cannot_pay_is_dropped_and_told() -> None:
 
 
 def test_a_pace_forgets_what_is_more_than_half_a_second_ago() -> None:
-    pace = Pace()
+    pace = PlaySpeed()
 
     pace.note(0.1, 0.05, dropped=3)
     for _ in range(6):

@@ -14,7 +14,7 @@ import pytest
 
 from sandbox import app
 from sandbox.app.cards.energy import ledger
-from sandbox.app.cards.text_column import Card
+from sandbox.app.cards.text_column import TextColumn
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import preferences, save_folder
 from sandbox.app.pages.challenge.panel import ChallengePage
@@ -360,13 +360,13 @@ def test_no_name_of_an_account_lies_on_its_bar(
     accounts = dict.fromkeys(EFFECTS, 1.0)
     books = Balance(1.0, accounts, accounts, accounts, 0.0, {}, np.zeros(3), 0.0)
     parts: list[pygame.Rect] = []
-    put = Card.put
+    put = TextColumn.put
 
-    def noted(card: Card, part: pygame.Surface, x: int, y: int = 0) -> None:
+    def noted(card: TextColumn, part: pygame.Surface, x: int, y: int = 0) -> None:
         parts.append(part.get_rect(topleft=(x, card.y + y)))
         put(card, part, x, y)
 
-    monkeypatch.setattr(Card, "put", noted)
+    monkeypatch.setattr(TextColumn, "put", noted)
     pygame.font.init()
     language.use(name)
     try:

@@ -215,7 +215,7 @@ def test_stars_stay_with_a_challenge_in_whichever_language(
     title = json.loads(asked.read_text("utf-8"))["title"]
     person.window.files.read_again(asked)
     monkeypatch.setattr(
-        "sandbox.app.files.challenge_stars.Progress.stars", lambda _, told: told == title
+        "sandbox.app.files.challenge_stars.ChallengeStars.stars", lambda _, told: told == title
     )
     speak(person, "de")
     button = person.listed.button(asked)

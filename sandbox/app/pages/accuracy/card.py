@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import pygame
 
-from sandbox.app.cards.text_column import GAP, Card
+from sandbox.app.cards.text_column import GAP, TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -20,7 +20,7 @@ PARTS = (later("model"), later("numerical"), later("remaining"))
 
 def dial_ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
     """Draw the meanings of the two ends of a dial."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.put(pen.write(left, 12, theme.DIM), 0)
     text = pen.write(right, 12, theme.DIM)
     card.put(text, width - text.width)
@@ -33,7 +33,7 @@ def current_accuracy(
     place: Trust | None,
 ) -> pygame.Surface:  # fmt: skip
     """Draw the requested accuracy, the present setting, its error, and the least known place."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(say("Accuracy and its cost"))
     wanted = say("Ask for an accuracy:")
     if target is not None:
@@ -50,7 +50,7 @@ def current_accuracy(
     return card.drawn()
 
 
-def _least_known(card: Card, place: Trust | None) -> None:
+def _least_known(card: TextColumn, place: Trust | None) -> None:
     """Add two lines, whose height does not depend on whether the place is known."""
     digits = "" if place is None else formatting.trusted(place)
     what = say("not measured yet") if place is None else place.quantity
@@ -83,7 +83,7 @@ def shares_and_errors(
     splits: Mapping[int, ErrorBudget],
 ) -> pygame.Surface:  # fmt: skip
     """Draw the parts of a frame's time, and the parts of the checks' errors."""
-    card, words = Card(pen, width), level_translation.of(level)
+    card, words = TextColumn(pen, width), level_translation.of(level)
     _frame(card, shares)
     if splits:
         card.y += 8
@@ -93,7 +93,7 @@ def shares_and_errors(
     return card.drawn()
 
 
-def _frame(card: Card, shares: Mapping[str, float]) -> None:
+def _frame(card: TextColumn, shares: Mapping[str, float]) -> None:
     """Add a bar of a frame's 16.7 ms, and the share of each part."""
     card.heading(say("A frame of 16.7 ms"))
     bar = pygame.Surface((card.width, 10))
@@ -111,7 +111,7 @@ def _frame(card: Card, shares: Mapping[str, float]) -> None:
     card.y += card.pen.height(12)
 
 
-def _split(card: Card, check: Check, words: Say, split: ErrorBudget) -> None:
+def _split(card: TextColumn, check: Check, words: Say, split: ErrorBudget) -> None:
     """Add the three parts of a check's error, side by side."""
     card.y += GAP
     card.text(title(check, words), 13, bold=True)

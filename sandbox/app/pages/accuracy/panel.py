@@ -6,7 +6,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
 from pygame_gui.elements import UIHorizontalSlider
 
-from sandbox.app.cards.text_column import Card
+from sandbox.app.cards.text_column import TextColumn
 from sandbox.app.pages.accuracy import work_precision_diagram
 from sandbox.app.pages.accuracy.background_study import BackgroundStudy
 from sandbox.app.pages.accuracy.card import current_accuracy, dial_ends, shares_and_errors, status
@@ -107,7 +107,7 @@ class AccuracyPage:
 
     def _drawn(self) -> pygame.Surface:
         studying, pen, width = self._studying, self._sheet.pen, self._sheet.width
-        card = Card(pen, width)
+        card = TextColumn(pen, width)
         card.text(say("largest numerical error"), 12)
         chart = work_precision_diagram.draw(
             pen, (width, self._sheet.px(DIAGRAM)), studying.points, studying.here

@@ -9,9 +9,9 @@ from pygame_gui.elements import UIButton
 from sandbox.app.building.button_action import ButtonAction
 from sandbox.app.building.editable_fields import EditableField, Row, Section, caption_of
 from sandbox.app.drawing import theme
-from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
+from sandbox.app.pages.build.widget_column import GAP, HEIGHT, WidgetColumn
 from sandbox.app.widgets.scrolling_area import Sheet
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.widgets.widget_states_and_scrolling import show_pressed
 from sandbox.app.words.language import later, say
 from sandbox.model.json_positions import Path
@@ -33,7 +33,7 @@ class Line:
     entry: EditableField
     row: Sequence[EditableField]
     """the entries of its row, such as both coordinates of a point"""
-    field: Field | None = None
+    field: TextField | None = None
     shown: str = ""
     """the text of the field before typing"""
     choices: dict[UIButton, str] = dataclasses.field(default_factory=dict)
@@ -43,7 +43,7 @@ class Line:
 class Inspector:
     """The rows of entries and sections, one below the other."""
 
-    def __init__(self, sheet: Sheet, column: Column) -> None:
+    def __init__(self, sheet: Sheet, column: WidgetColumn) -> None:
         self._sheet, self._column = sheet, column
         self._lines: dict[Path, Line] = {}
         self._headings: dict[UIButton, Path] = {}
@@ -174,7 +174,7 @@ class Inspector:
     # typed texts
 
     @property
-    def _fields(self) -> list[tuple[Line, Field]]:
+    def _fields(self) -> list[tuple[Line, TextField]]:
         return [(line, line.field) for line in self._lines.values() if line.field is not None]
 
     def store_typed_texts(self) -> None:
@@ -225,7 +225,7 @@ class Inspector:
             self._turned ^= {path}
         return path is not None
 
-    def field(self, *path: str | int) -> Field:
+    def field(self, *path: str | int) -> TextField:
         """Return the field of a path."""
         found = self._lines[path].field
         assert found is not None

@@ -15,8 +15,8 @@ from sandbox.app.building.editor import Editor
 from sandbox.app.pages.build import mistakes_suggestions_and_effects
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.mistakes_suggestions_and_effects import Block
-from sandbox.app.pages.build.toolbar import Palette
-from sandbox.app.pages.build.widget_column import GAP, HEIGHT, Column
+from sandbox.app.pages.build.toolbar import Toolbar
+from sandbox.app.pages.build.widget_column import GAP, HEIGHT, WidgetColumn
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.scrolling_area import Sheet
 from sandbox.app.widgets.widget_states_and_scrolling import scroll_to, show_pressed
@@ -24,7 +24,7 @@ from sandbox.app.words.language import say
 from sandbox.model import json_positions
 
 if TYPE_CHECKING:
-    from sandbox.app.widgets.text_field import Field
+    from sandbox.app.widgets.text_field import TextField
 
 Blocks = tuple[Sequence[Block], Sequence[Block]]
 
@@ -35,14 +35,14 @@ class BuildPage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         self._editor = desk.worker(Editor)
-        self._column = Column(sheet)
-        self.palette = Palette(sheet, self._editor, desk.session)
+        self._column = WidgetColumn(sheet)
+        self.palette = Toolbar(sheet, self._editor, desk.session)
         """The tools."""
         self.inspector = Inspector(sheet, self._column)
         """The fields."""
         self._buttons: list[UIButton] = []
         self._acts: list[tuple[UIButton, ButtonAction]] = []
-        self._name: Field | None = None
+        self._name: TextField | None = None
         self._offered: dict[json_positions.Path, list[str]] = {}
         self._refused: dict[json_positions.Path, str] = {}
         self._selected: object = None

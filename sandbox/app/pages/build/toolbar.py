@@ -26,7 +26,7 @@ ACROSS = 4
 TRY, STOP = later("Try it"), later("Back to building")
 
 
-class Palette:
+class Toolbar:
     """A button for each tool, and one for each joint while that tool is the current one."""
 
     def __init__(self, sheet: Sheet, editor: Editor, session: Session) -> None:

@@ -7,12 +7,12 @@ from pygame_gui.core import ObjectID, UIElement
 from pygame_gui.elements import UIButton
 
 from sandbox.app.building.button_action import ButtonAction
-from sandbox.app.cards.text_column import Card, heading
+from sandbox.app.cards.text_column import TextColumn, heading
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.widgets.scrolling_area import Sheet, in_rows
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 
 HEIGHT = 24  # px, of a button or a field
 GAP = 4  # px, between two
@@ -28,7 +28,7 @@ def side_by_side(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.R
     return list(in_rows(widths, width, pen.px(HEIGHT), pen.px(GAP)))
 
 
-class Column:
+class WidgetColumn:
     """The widgets of a sheet, from top to bottom."""
 
     def __init__(self, sheet: Sheet) -> None:
@@ -50,7 +50,7 @@ class Column:
 
     def text(self, text: str, color: Color | None = None, x: int = 0) -> None:
         """Add a wrapped paragraph."""
-        card = Card(self._sheet.pen, self._sheet.width - x)
+        card = TextColumn(self._sheet.pen, self._sheet.width - x)
         card.text(text, SIZE, color or theme.DIM)
         self._put_picture(card.drawn(), x)
 
@@ -71,9 +71,11 @@ class Column:
             image.set_tooltip(tip, delay=0.6)
         self._widgets.append(image)
 
-    def field(self, x: int, width: int, text: str, placeholder: str = "", tip: str = "") -> Field:
+    def field(
+        self, x: int, width: int, text: str, placeholder: str = "", tip: str = ""
+    ) -> TextField:
         """Add a field to the present line; `placeholder` is shown while it is empty."""
-        field = Field(
+        field = TextField(
             pygame.Rect(self._sheet.margin + x, self.y, width, self._sheet.px(HEIGHT)),
             self._sheet.manager,
             container=self._sheet.container, initial_text=text, placeholder_text=placeholder,

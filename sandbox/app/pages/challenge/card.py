@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.cards.text_column import GAP, Card
+from sandbox.app.cards.text_column import GAP, TextColumn
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -24,7 +24,7 @@ def challenge(pen: Pen, width: int, session: Session) -> pygame.Surface:
     asked = session.level.challenge
     if asked is None:
         return task(pen, width, session)
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     for part in (task(pen, width, session), standing(pen, width, session, best=0)):
         card.put(part, 0)
         card.y += part.height + GAP
@@ -34,7 +34,7 @@ def challenge(pen: Pen, width: int, session: Session) -> pygame.Surface:
 def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw the title of the level and the task."""
     challenge = session.level.challenge
-    card, words = Card(pen, width), level_translation.of(session.original)
+    card, words = TextColumn(pen, width), level_translation.of(session.original)
     card.text(words(session.original.title), 20, bold=True)
     card.y += 4
     card.text(words(challenge.task) if challenge else say(NONE), 15 if challenge else 14)
@@ -43,7 +43,7 @@ def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surface:
     """Draw the stars and the goals of a session's challenge; `best` are the most stars before."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     challenge, found = session.level.challenge, session.attempt()
     if challenge is None:
         return card.drawn()
@@ -69,7 +69,7 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
 
 def hints(pen: Pen, width: int, shown: Sequence[str]) -> pygame.Surface:
     """Draw the hints shown so far."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     if shown:
         card.heading(say("Hints"))
     for index, hint in enumerate(shown):
@@ -85,7 +85,7 @@ def _rank(index: int, challenge: Challenge) -> str:
     return (say("second star"), say("third star"))[extra] if extra >= 0 else say("first star")
 
 
-def _stars(card: Card, found: Attempt, best: int) -> None:
+def _stars(card: TextColumn, found: Attempt, best: int) -> None:
     """Draw the stars of this run, and the number earned before."""
     radius = card.pen.px(_STAR)
     for index in range(found.possible_stars):
@@ -107,7 +107,7 @@ def _star(radius: int, *, earned: bool) -> pygame.Surface:
     return sign
 
 
-def _goal(card: Card, outcome: Outcome, label: str) -> None:
+def _goal(card: TextColumn, outcome: Outcome, label: str) -> None:
     color = _color(outcome.standing)
     card.put(card.pen.write(_SIGNS[outcome.standing], 14, color, bold=True), 4)
     card.text(label, 14, bold=True, indent=card.indent)

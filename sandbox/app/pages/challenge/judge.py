@@ -1,6 +1,6 @@
 """The judge of challenges, which compares every run with the goals, and keeps the stars."""
 
-from sandbox.app.files.challenge_stars import Progress
+from sandbox.app.files.challenge_stars import ChallengeStars
 from sandbox.app.pages.page import IdleWorker
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
@@ -13,7 +13,7 @@ class Judge(IdleWorker):
         super().__init__()
         self.hints: dict[str, int] = {}
         """The number of hints shown, by the title of the level."""
-        self._progress = Progress()
+        self._progress = ChallengeStars()
         self._told: object = None  # the last attempt that was judged
 
     def stars(self, session: Session) -> int:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.cards.text_column import GAP, Card, titled_note
+from sandbox.app.cards.text_column import GAP, TextColumn, titled_note
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import switching_effects
@@ -22,7 +22,7 @@ def compared(
     words: Say, cost: float | None = None, *, disturbed: bool = False,
 ) -> pygame.Surface:  # fmt: skip
     """Draw the change of the checks' quantities by a change of the effects, and its cost."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(message[0].upper() + message[1:])
     card.text(say("dashed: as the level declares it"), 12, theme.GHOST)
     if disturbed:

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pygame
 
-from sandbox.app.cards.text_column import GAP, Card
+from sandbox.app.cards.text_column import GAP, TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.experiment.background_parameter_sweep import Point
@@ -32,7 +32,7 @@ def curve(
 
     `mouse` is the point to describe and mark; None to mark the run that is played.
     """
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(say("Experiment"))
     chosen = exploring.chosen(session)
     if chosen is None:
@@ -93,7 +93,7 @@ def _series(points: Sequence[Point]) -> Iterator[Series]:
             yield Series(color, at, values, dashed=dashed, marked=not dashed)
 
 
-def _point_text(card: Card, level: Level, chosen: CurveChoice, point: Point | None) -> None:
+def _point_text(card: TextColumn, level: Level, chosen: CurveChoice, point: Point | None) -> None:
     """Add the result of a run in numbers."""
     if point is None:
         card.text(say(HINT), 12, theme.DIM)
@@ -117,7 +117,7 @@ def named(level: Level, name: str, unit: str = "") -> str:
     return f"{shown}, {label}" if label and label != name else shown
 
 
-def _progress(card: Card, exploring: CurveWorker) -> None:
+def _progress(card: TextColumn, exploring: CurveWorker) -> None:
     """Add the progress of the runs, and the number of failures."""
     if exploring.failure:
         card.text(say(exploring.failure), 12, theme.FAILED)

@@ -4,7 +4,7 @@ from math import hypot
 
 import pygame
 
-from sandbox.app.cards.text_column import Card
+from sandbox.app.cards.text_column import TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -29,7 +29,7 @@ CLOSED = later("One force was computed from the others and m a, so their sum pro
 
 def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface:
     """Draw the forces on the selected body."""
-    card, body = Card(pen, width), session.looking.body(session.level)
+    card, body = TextColumn(pen, width), session.looking.body(session.level)
     on = name_in_words(body) if body else ""
     card.heading(say("Forces on {body}", body=on) if on else say("Forces"))
     found = session.looking.at(session.world)
@@ -54,7 +54,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
     return card.drawn()
 
 
-def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
+def _table(card: TextColumn, found: FreeBody, first: XY, inclined: bool) -> None:
     """Add a row for each force, for their sum, and for mass times acceleration."""
     axes = (say("along"), say("across")) if inclined else ("x", "y")
     _row(card, "N", None, (say("size"), *axes), theme.DIM)
@@ -107,7 +107,9 @@ def _cell(force: XY, first: XY) -> tuple[str, ...]:
     )
 
 
-def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], color: Color) -> None:
+def _row(
+    card: TextColumn, name: str, mark: Color | None, cells: tuple[str, ...], color: Color
+) -> None:
     """Add a row: a name, and numbers in columns; what exerts a force may need a line of its own."""
     pen = card.pen
     indent = 0

@@ -7,12 +7,12 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app.cards.text_column import GAP, Card
+from sandbox.app.cards.text_column import GAP, TextColumn
 from sandbox.app.drawing import line_styles, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.earlier_runs import have_same_bodies
-from sandbox.app.observing.thinned_history import History
+from sandbox.app.observing.thinned_history import ThinnedHistory
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
@@ -50,7 +50,7 @@ def graphs(
     Their values are written at the cursor, a value of the quantity `across`; None is the present.
     The graphs leave room on a `page` of some height [px].
     """
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     if not up:
         card.text(say(NOTHING), 14, theme.DIM)
         return Graphs(card.drawn(), ())
@@ -76,8 +76,8 @@ def graphs(
 
 
 def _put(
-    card: Card, series: Sequence[Series], span: Scale, mark: float | None, units: tuple[str, str],
-    zoom: Zoom, page: float,
+    card: TextColumn, series: Sequence[Series], span: Scale, mark: float | None,
+    units: tuple[str, str], zoom: Zoom, page: float,
 ) -> Graph:  # fmt: skip
     """Draw the visible part of the lines of one unit, and return their graph."""
     pen, (least, most) = card.pen, map(card.pen.px, HEIGHTS)
@@ -119,7 +119,7 @@ def so_far(session: Session, names: Sequence[str]) -> tuple[Mapping[str, Array],
 
 
 def measured(
-    world: World, history: History, names: Sequence[str]
+    world: World, history: ThinnedHistory, names: Sequence[str]
 ) -> tuple[Mapping[str, Array], Mapping[str, str]]:
     """Return quantities of a run at all instants, (k,) each, and their units."""
     meter = Meter(world, names)
@@ -136,7 +136,7 @@ def _sign(name: str, up: Sequence[str]) -> int | None:
 
 
 def _values(
-    card: Card, columns: Mapping[str, Array], these: Sequence[str],
+    card: TextColumn, columns: Mapping[str, Array], these: Sequence[str],
     up: Sequence[str], units: Mapping[str, str], across: str, cursor: float | None,
     trust: Mapping[str, Trust],
 ) -> None:  # fmt: skip

@@ -22,7 +22,7 @@ from sandbox.app.pages.graph.zoom import NOTCH, SHIFT, WHOLE, Zooming
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.widgets.scrolling_area import Sheet, below
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.words.language import say
 from sandbox.model.quantities import TIME
 
@@ -49,7 +49,7 @@ class GraphPage:
             sheet.image(heading(sheet.pen, sheet.width, text), 0)
             for text in (say("Draw"), say("Against"))
         ]
-        self.sought = Field(
+        self.sought = TextField(
             pygame.Rect(sheet.margin, 0, sheet.width, sheet.px(FIELD)), sheet.manager,
             container=sheet.container,
             placeholder_text=say("letters of a name, such as speed"),

@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.cards.text_column import Card
+from sandbox.app.cards.text_column import TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words import formatting, level_translation
@@ -13,7 +13,7 @@ from sandbox.model.level import Level
 
 def header(pen: Pen, width: int, level: Level) -> pygame.Surface:
     """Draw a level's title, summary and reference."""
-    card, words = Card(pen, width), level_translation.of(level)
+    card, words = TextColumn(pen, width), level_translation.of(level)
     card.text(words(level.title), 20, bold=True)
     card.y += 4
     if level.summary:
@@ -26,14 +26,14 @@ def header(pen: Pen, width: int, level: Level) -> pygame.Surface:
 
 def clock(pen: Pen, width: int, text: str) -> pygame.Surface:
     """Draw the time."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.text(text, 14, bold=True)
     return card.drawn()
 
 
 def settings(pen: Pen, width: int, level: Level, values: Values) -> pygame.Surface:
     """Draw the parameters with their values."""
-    card, words = Card(pen, width), level_translation.of(level)
+    card, words = TextColumn(pen, width), level_translation.of(level)
     card.heading(say("Parameters"))
     for name, parameter in level.parameters.items():
         value = formatting.with_unit(formatting.setting(values[name]), parameter.unit)

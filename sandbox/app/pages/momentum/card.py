@@ -6,13 +6,13 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app.cards.text_column import Card, bar
+from sandbox.app.cards.text_column import TextColumn, bar
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import momentum_scale
-from sandbox.app.stage.frame_of_reference import Observer
+from sandbox.app.stage.frame_of_reference import FrameOfReference
 from sandbox.app.stage.level_labels import seen_from
 from sandbox.app.words import formatting
 from sandbox.app.words.language import plural, say
@@ -35,7 +35,7 @@ class Momentum(NamedTuple):
 def bodies(world: World, place: str | None = None) -> list[Momentum]:
     """Return the momenta of all bodies; of many, the largest ones, and the sum of the others.
 
-    They are as seen from a place, see `Observer`.
+    They are as seen from a place, see `FrameOfReference`.
     """
     found, every = (
         momentum_scale.bodies_with_momentum(world),
@@ -71,8 +71,8 @@ def explained_change(session: Session) -> list[Momentum]:
 
 def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw momenta as bars along x and y, above the balance of the total."""
-    card, world = Card(pen, width), session.world
-    place = Observer(world, session.looking.seen_from).place
+    card, world = TextColumn(pen, width), session.world
+    place = FrameOfReference(world, session.looking.seen_from).place
     scale = momentum_scale.scale(session, world, session.history.snapshots, place)
     card.heading(say("Momentum"))
     shown = bodies(world, place)
@@ -102,7 +102,7 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     return card.drawn()
 
 
-def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) -> None:
+def _add_bars(card: TextColumn, row: Momentum, scale: float, colors: Sequence[Color]) -> None:
     """Add two bars, for the x and the y component."""
     pen, width = card.pen, card.width
     left = pen.px(LABEL) + pen.px(AXIS)
@@ -119,7 +119,7 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
     card.y += 3
 
 
-def _add_table(card: Card, rows: Sequence[Momentum], scale: float) -> None:
+def _add_table(card: TextColumn, rows: Sequence[Momentum], scale: float) -> None:
     """Add momenta as numbers, in a column for each axis; rounding errors of a scale are zero."""
     pen, ends = card.pen, (card.width - card.pen.px(COLUMN), card.width)
     for axis, color, end in zip("xy", _axes(), ends, strict=True):

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import pygame
 
 from sandbox.app.cards.checks import TOUCHED
-from sandbox.app.cards.text_column import GAP, Card
+from sandbox.app.cards.text_column import GAP, TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.predict.neglected_effects import Trial, TrialProgress
@@ -28,7 +28,7 @@ NOTICED = 1e-4
 
 def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.Surface:
     """Draw the purpose of the page, or the reason why nothing can be predicted."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(say("Predict, run, explain"))
     if possible:
         message = say("Choose what to predict. The run waits for your number.")
@@ -46,7 +46,7 @@ def question_text(
     While it is open, `since` is the time at which the run waits [s], and the possible forms of an
     answer are listed.
     """
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     card.heading(say("Your prediction"))
     card.text(title, 15, bold=True)
     name = f"{question.quantity} {when(question.at)}" if question.label else when(question.at)
@@ -64,7 +64,7 @@ def question_text(
 
 def refusal_text(pen: Pen, width: int, refusal: str) -> pygame.Surface:
     """Draw the reason why a typed text is no answer, or how to answer."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     if refusal:
         card.text(say(refusal), 13, theme.FAILED)
     else:
@@ -77,7 +77,7 @@ def result(
     trying: TrialProgress | None,
 ) -> pygame.Surface:  # fmt: skip
     """Draw the result of a prediction, and the neglected effects that would change it."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     if outcome is None:
         over = session.failure is not None or session.world.steps >= session.end
         message = say(NEVER) if over else say("It runs …")
@@ -93,7 +93,7 @@ def result(
     return card.drawn()
 
 
-def _verdict(card: Card, outcome: Outcome) -> None:
+def _verdict(card: TextColumn, outcome: Outcome) -> None:
     limit = outcome.limit
     good, far = theme.PASSED, theme.FAILED
     color = far if limit is None else good if limit <= LIMITS[1] else theme.NOTICE
@@ -101,7 +101,7 @@ def _verdict(card: Card, outcome: Outcome) -> None:
     card.y += GAP
 
 
-def _compared(card: Card, outcome: Outcome) -> None:
+def _compared(card: TextColumn, outcome: Outcome) -> None:
     """Write the three values, and the differences of two of them from the simulated one."""
     heads = ("", say("value"), say("differs by"))
     card.columns([(head, theme.DIM) for head in heads], 12)
@@ -134,7 +134,7 @@ def _difference(outcome: Outcome, value: float | None) -> str:
 
 
 def _explained(
-    card: Card, outcome: Outcome, trials: Sequence[Trial], trying: TrialProgress | None
+    card: TextColumn, outcome: Outcome, trials: Sequence[Trial], trying: TrialProgress | None
 ) -> None:
     card.y += 8
     card.heading(say("What the level neglects"))
@@ -161,7 +161,7 @@ def _change(outcome: Outcome, trial: Trial) -> float:
     return abs(trial.after - trial.before) / (outcome.scale or 1.0)
 
 
-def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
+def _trial(card: TextColumn, outcome: Outcome, trial: Trial) -> None:
     card.y += GAP
     card.text(trial.label, 14, bold=True)
     if trial.before is None or trial.after is None:

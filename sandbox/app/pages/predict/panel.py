@@ -10,13 +10,13 @@ from sandbox.app.pages.predict import card
 from sandbox.app.pages.predict.prediction_worker import PredictionWorker
 from sandbox.app.pages.predict.questions import questions, unit_of, when
 from sandbox.app.widgets.scrolling_area import Sheet, below
-from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.text_field import TextField
 from sandbox.app.widgets.widget_states_and_scrolling import show
 from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Check
 
-Widget = UIImage | UIButton | Field | UISelectionList
+Widget = UIImage | UIButton | TextField | UISelectionList
 HEIGHT = 28  # px, of the button
 FIELD = 26  # px, its height
 UNIT = 84  # px, the room for the unit beside it
@@ -52,7 +52,7 @@ class PredictPage:
             "", say(TIPS[PREDICT]),
         )  # fmt: skip
         place = pygame.Rect(sheet.margin, 0, sheet.width - sheet.px(UNIT), sheet.px(FIELD))
-        self.field = Field(place, sheet.manager, container=sheet.container)
+        self.field = TextField(place, sheet.manager, container=sheet.container)
         self.field.set_text_length_limit(60)
         self._unit = sheet.image(sheet.pen.write(" ", 14), 0)
         self._refusal = sheet.image(self._drawn_refusal(), 0)
@@ -82,7 +82,7 @@ class PredictPage:
         return ""
 
     @property
-    def awaited(self) -> Field | None:
+    def awaited(self) -> TextField | None:
         """The field for the answer; None while there is no question."""
         return self.field if self._open else None
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app.cards.text_column import GAP, Card, titled_note
+from sandbox.app.cards.text_column import GAP, TextColumn, titled_note
 from sandbox.app.drawing import line_styles, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -35,7 +35,7 @@ def standing(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.Surface:
     """Draw the standings of a race: each scheme's error so far, and its computing time."""
-    card = Card(pen, width)
+    card = TextColumn(pen, width)
     if not found:
         return card.drawn()
     card.heading(say("At {rate:g} steps a second", rate=rate))

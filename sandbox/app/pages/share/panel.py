@@ -8,7 +8,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.cards.text_column import Card, titled_note
+from sandbox.app.cards.text_column import TextColumn, titled_note
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
@@ -55,7 +55,7 @@ class SharePage:
             pygame.Rect((0, y), self._sheet.scaled(BUTTON)), caption, say("save: {what}", what=text)
         )
         self._actions[button] = act
-        card = Card(sheet.pen, sheet.width - self._sheet.px(BUTTON[0]) - 12)
+        card = TextColumn(sheet.pen, sheet.width - self._sheet.px(BUTTON[0]) - 12)
         card.text(text, 13, theme.DIM)
         place = pygame.Rect(self._sheet.margin + self._sheet.px(BUTTON[0]) + 12, y + 4, 0, 0)
         image = card.drawn()
@@ -81,7 +81,7 @@ class SharePage:
         return say("saved {path}", path=save(self._session))
 
     def _drawn(self) -> pygame.Surface:
-        card = Card(self._sheet.pen, self._sheet.width)
+        card = TextColumn(self._sheet.pen, self._sheet.width)
         if self._filming.running:
             message = say("Filming: {share:.0%}", share=self._filming.done)
             card.text(message, 14, theme.NOTICE)

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pygame
 
-from sandbox.app.cards.text_column import SMALLEST, Card
+from sandbox.app.cards.text_column import SMALLEST, TextColumn
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.graph.card import measured, value_at
@@ -35,7 +35,7 @@ def values(
     pen: Pen, width: int, session: Session, names: Sequence[str], trust: Mapping[str, Trust]
 ) -> pygame.Surface:
     """Draw quantities by time; of those without room only the number is written."""
-    card, shown = Card(pen, width), names[:COLUMNS]
+    card, shown = TextColumn(pen, width), names[:COLUMNS]
     card.heading(say("Values by time"))
     columns, units = measured(session.world, session.history, ["t", *shown])
     _row(card, ["t", *shown], theme.ACCENT)
@@ -71,7 +71,7 @@ def _cell(value: float, unit: str, trust: Trust | None) -> str:
     return text.removesuffix(formatting.shown_unit(unit)).rstrip()
 
 
-def _row(card: Card, cells: Sequence[str], color: theme.Color) -> None:
+def _row(card: TextColumn, cells: Sequence[str], color: theme.Color) -> None:
     """Write a row: the first cell left-aligned, the others right-aligned in their columns."""
     first = card.pen.px(TIME)
     room = (card.width - first) / max(len(cells) - 1, 1)

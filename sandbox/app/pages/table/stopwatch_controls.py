@@ -4,7 +4,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_SELECTION_LIST_NEW_SELECTION
 from pygame_gui.elements import UISelectionList
 
-from sandbox.app.cards.text_column import Card, heading, label
+from sandbox.app.cards.text_column import TextColumn, heading, label
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.pages.table.stopwatch_triggers import StopwatchTrigger, triggers
 from sandbox.app.runs.session import Session
@@ -81,6 +81,6 @@ class StopwatchControls:
 
     def _drawn(self) -> pygame.Surface:
         reading = self._watch.reading(self._session)
-        card = Card(self._sheet.pen, self._sheet.width)
+        card = TextColumn(self._sheet.pen, self._sheet.width)
         card.text(reading.text, 20, reading.color)
         return card.drawn()

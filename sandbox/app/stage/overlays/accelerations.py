@@ -5,13 +5,13 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import momentum_scale
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.motion_annotations import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.words.formatting import number
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     rows = dict(momentum_scale.bodies_with_momentum(view.world))
     every = view.observer.relative(view.world.snapshot.acceleration)
     sizes = np.hypot(*every[list(rows)].T) if rows and view.few else np.zeros(0)

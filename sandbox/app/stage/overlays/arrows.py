@@ -3,7 +3,7 @@
 import pygame
 
 from sandbox.app.stage import motion_annotations
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.overlays.overlay import Overlay
 
 AT_REST = 1e-6
@@ -11,14 +11,14 @@ AT_REST = 1e-6
 at rest."""
 
 
-def time_ahead(view: View) -> float | None:
+def time_ahead(view: DrawingContext) -> float | None:
     """Return the time that velocity arrows look ahead [s]; None if all bodies are at rest."""
     if not view.few or not view.moving or view.fastest * view.duration < AT_REST * view.width:
         return None
     return motion_annotations.LONGEST * view.width / view.fastest
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     if not view.few or not view.moving:
         return
     ahead = time_ahead(view)

@@ -4,13 +4,13 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import momentum_scale
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.overlays.overlay import Overlay
 
 RADIUS, ARM = 5, 9  # px, of the ring and of the cross in it
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     rows = [row for row, _ in momentum_scale.bodies_with_momentum(view.world)]
     if not rows:
         return

@@ -3,12 +3,12 @@
 import pygame
 
 from sandbox.app.stage import motion_annotations
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.overlays import arrows as arrows
 from sandbox.app.stage.overlays.overlay import Overlay
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     ahead = arrows.time_ahead(view) if view.shown[arrows.OVERLAY.name] else None
     if ahead is None:
         return

@@ -19,7 +19,7 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.forces_on_selected_body import not_negligible
 from sandbox.app.stage import overlay_legend
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.motion_annotations import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.words.formatting import nice
@@ -108,10 +108,10 @@ class Touches:
         return (stick.static if stick and not slides else mu), slides
 
 
-_touches: WeakKeyDictionary[View, Touches] = WeakKeyDictionary()
+_touches: WeakKeyDictionary[DrawingContext, Touches] = WeakKeyDictionary()
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     if len(view.moving) > MANY:
         _draw_chains(surface, view)
         return
@@ -130,7 +130,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 
 
 def _draw_touch(
-    surface: pygame.Surface, view: View, touch: Touch, scale: float, most: float
+    surface: pygame.Surface, view: DrawingContext, touch: Touch, scale: float, most: float
 ) -> None:
     """Draw the cone of a contact, its force, and a sign that tells whether it slides."""
     start, (x, y) = view.camera.to_screen(touch.at), touch.force
@@ -158,7 +158,7 @@ def _draw_cone(surface: pygame.Surface, start: XY, touch: Touch, scale: float) -
     lines.dashed(surface, dim, sides, 3, 4)
 
 
-def _draw_chains(surface: pygame.Surface, view: View) -> None:
+def _draw_chains(surface: pygame.Surface, view: DrawingContext) -> None:
     """Draw a line for each contact between many bodies, as wide as its force is strong."""
     world, last = view.world, view.world.last
     contacts = last.contacts.without_first(last.impact_count)
@@ -188,7 +188,7 @@ def _veil(surface: pygame.Surface) -> None:
     surface.blit(veil, (0, 0))
 
 
-def _ends(view: View, bodies: Integers, points: Array) -> Array:
+def _ends(view: DrawingContext, bodies: Integers, points: Array) -> Array:
     """Return the ends of a line for each contact, the centre of a body or the point: (k, 2, 2)."""
     moves = view.world.scene.mass[bodies] > 0
     centers = view.world.snapshot.position[bodies]
@@ -205,7 +205,7 @@ def _sign(surface: pygame.Surface, slides: bool, place: XY) -> None:
     pygame.draw.aacircle(surface, _color(slides), place, SIGN, 2 if slides else 0)
 
 
-def _draw_key(surface: pygame.Surface, view: View, scale: float) -> None:
+def _draw_key(surface: pygame.Surface, view: DrawingContext, scale: float) -> None:
     """Draw the key to arrows at a scale [px/N]."""
     force = nice(KEY / scale)
 
@@ -221,7 +221,7 @@ def _draw_key(surface: pygame.Surface, view: View, scale: float) -> None:
     overlay_legend.draw(surface, view, rows, "key of contacts")
 
 
-def _draw_chain_key(surface: pygame.Surface, view: View, full: float) -> None:
+def _draw_chain_key(surface: pygame.Surface, view: DrawingContext, full: float) -> None:
     """Draw the key to lines of which the widest has a force [N]."""
 
     def sample(canvas: pygame.Surface, start: XY, end: XY, *, slides: bool) -> None:

@@ -7,7 +7,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.overlays.overlay import Overlay
 
 LARGEST, SMALLEST = 30, 6  # px, bounds of the radius for the hardest, about that of the body
@@ -23,7 +23,7 @@ MOST = 24
 """The largest number of flashes that are drawn at once, the latest."""
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     names = list(view.outlines) if view.flashes else ()
     for blow, left in view.flashes[:MOST]:
         center = view.camera.to_screen(blow.at)

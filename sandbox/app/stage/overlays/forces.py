@@ -6,7 +6,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.observing import forces_on_selected_body
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.given_force_arrows import LONGEST, beside
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.model.effects.force import Force
@@ -20,7 +20,7 @@ SURFACE = 300.0  # px, the length of a surface, to either side, that labels avoi
 RING = 4.0  # px, the radius of the mark at the centre of mass
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     found = view.looking.at(view.world) if view.looking else None
     if found is None or view.looking is None:
         return
@@ -52,7 +52,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     surface.blits([(each.image, each.place) for each in shown])  # so that nothing covers them
 
 
-def _mark(view: View, name: str, start: XY, end: XY) -> None:
+def _mark(view: DrawingContext, name: str, start: XY, end: XY) -> None:
     """Keep labels off an arrow, and off the surface of a friction force."""
     view.labels.mark(start, end)
     if name == FRICTION:
@@ -61,7 +61,7 @@ def _mark(view: View, name: str, start: XY, end: XY) -> None:
         view.labels.mark((start[0] - x, start[1] - y), (start[0] + x, start[1] + y))
 
 
-def _given(view: View, found: FreeBody) -> float:
+def _given(view: DrawingContext, found: FreeBody) -> float:
     """Return the scale of the given forces [px/N], if their arrows are already drawn.
 
     0 if they are not, or if other forces would be too long at that scale.

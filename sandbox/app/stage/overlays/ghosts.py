@@ -3,11 +3,11 @@
 import pygame
 
 from sandbox.app.stage import motion_annotations
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.overlays.overlay import Overlay
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     world, t = view.world, float(view.world.snapshot.t)
     if world.disturbed or t > view.duration * (1 + 1e-9):
         return
@@ -19,7 +19,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
             motion_annotations.draw_ghost(surface, view.camera, outline, where, angle)
 
 
-def _draw_paths(surface: pygame.Surface, view: View) -> None:
+def _draw_paths(surface: pygame.Surface, view: DrawingContext) -> None:
     world = view.world
     if world.disturbed or view.observer.place is not None:  # the paths are those on the ground
         return

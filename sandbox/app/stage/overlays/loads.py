@@ -10,7 +10,7 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.forces_on_selected_body import newtons
 from sandbox.app.stage import overlay_legend
-from sandbox.app.stage.drawing_context import NAMED, View
+from sandbox.app.stage.drawing_context import NAMED, DrawingContext
 from sandbox.app.stage.joint_polylines import path_of
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.words.language import say
@@ -27,7 +27,7 @@ FAINT = 1e-9
 LEAST = 6.0  # px, the length below which no load is drawn
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     world, t = view.world, float(view.world.snapshot.t)
     joints = world.scene.joints
     loads = {
@@ -51,7 +51,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     overlay_legend.draw(surface, view, rows, "key of loads")
 
 
-def _path(view: View, name: str) -> list[XY]:
+def _path(view: DrawingContext, name: str) -> list[XY]:
     """Return the points through which a joint is drawn [m]."""
     joint = view.world.level.joints[name]
     return path_of(
@@ -69,7 +69,9 @@ def _draw_load(surface: pygame.Surface, path: list[XY], share: float) -> None:
         lines.stroke(surface, _color(share), a, b, width)
 
 
-def _write(surface: pygame.Surface, view: View, name: str, path: list[XY], load: float) -> None:
+def _write(
+    surface: pygame.Surface, view: DrawingContext, name: str, path: list[XY], load: float
+) -> None:
     """Write the load beside the middle of the longest straight part of its joint."""
     a, b = max(pairwise(path), key=lambda piece: dist(*piece))
     x, y = (a[0] + b[0]) / 2, (a[1] + b[1]) / 2

@@ -4,7 +4,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import momentum_scale
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.motion_annotations import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.words.formatting import nice
@@ -13,7 +13,7 @@ WIDTH = 6.0  # px, wide enough to be seen below the arrow of the velocity
 KEY = 16, 112, 130, 40  # px, of the key: from the right, from below, width, height
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     if not view.few:
         return
     place = view.observer.place
@@ -30,7 +30,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     _draw_key(surface, view, length)
 
 
-def _draw_key(surface: pygame.Surface, view: View, length: float) -> None:
+def _draw_key(surface: pygame.Surface, view: DrawingContext, length: float) -> None:
     """Draw the key to the arrows' length, above that of the velocities."""
     value = nice(70 / length)
     right, below, width, height = map(view.pen.px, KEY)

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import pygame
 
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.window_keys import Binding
 from sandbox.model.level import Level
 
-Draw = Callable[[pygame.Surface, View], None]
+Draw = Callable[[pygame.Surface, DrawingContext], None]
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import overlay_legend
 from sandbox.app.stage.body_outlines import Outline
-from sandbox.app.stage.drawing_context import View
+from sandbox.app.stage.drawing_context import DrawingContext
 from sandbox.app.stage.overlays.arrows import time_ahead
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.words.language import say
@@ -30,7 +30,7 @@ ALIKE = 0.25
 of mass is below this."""
 
 
-def _draw(surface: pygame.Surface, view: View) -> None:
+def _draw(surface: pygame.Surface, view: DrawingContext) -> None:
     ahead = time_ahead(view)
     if ahead is None:
         return
@@ -47,7 +47,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 
 
 def _draw_velocities(
-    surface: pygame.Surface, view: View, outline: Outline, spin: float, ahead: float
+    surface: pygame.Surface, view: DrawingContext, outline: Outline, spin: float, ahead: float
 ) -> None:
     """Draw the displacement of points of a body in some time [s], at a rate of turning [rad/s].
 
@@ -75,13 +75,15 @@ def _points(outline: Outline, place: XY, angle: float) -> list[XY]:
     return corners[:: -(-len(corners) // AROUND)]
 
 
-def center_of_rotation(view: View, outline: Outline, spin: float) -> XY:
+def center_of_rotation(view: DrawingContext, outline: Outline, spin: float) -> XY:
     """Return the point about which a body turns at a rate [rad/s], as the observer sees it [m]."""
     (x, y), (vx, vy) = view.state(outline)[0], view.velocity(outline)
     return x - vy / spin, y + vx / spin
 
 
-def _draw_center(surface: pygame.Surface, view: View, outline: Outline, spin: float) -> None:
+def _draw_center(
+    surface: pygame.Surface, view: DrawingContext, outline: Outline, spin: float
+) -> None:
     """Mark the instantaneous centre of rotation, with a dashed line from the body to it."""
     center = view.camera.to_screen(center_of_rotation(view, outline, spin))
     if not surface.get_rect().collidepoint(center):
