@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pymunk.batch import BodyFields, Buffer, get_space_bodies
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.private_handles import Pair, Table
+from sandbox.physics.engine.private_handles import Pair, Table, pair_of
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.arbiters import Arbiters
@@ -137,7 +137,7 @@ class Batch:
     def pair(self, a: int | None, b: int | None) -> Pair:
         """Return access to two bodies only; None is the plane itself."""
         one, other = (self._space.static_body if i is None else self._bodies[i] for i in (a, b))
-        return Pair(one, other)
+        return pair_of(one, other)
 
     def state(self) -> Array:
         """Return x, y, angle, vx, vy, angular velocity: (n, 6) [m, rad, m/s, rad/s]."""

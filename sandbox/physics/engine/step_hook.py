@@ -6,7 +6,7 @@ of explicit Euler. For that, a motor without strength has its callback there. Th
 joints are solved at the end of the step, after pymunk's. A level that needs neither has no hook.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextvars import copy_context
 from time import perf_counter
 
@@ -21,8 +21,9 @@ from sandbox.physics.state.kick_context import Kick, Work
 class Hook:
     """Calls work between drift and kick and after the solver, and stores exceptions.
 
-    Set `kick`, which is passed to the work, take pymunk's step, and call `finish`. pymunk prints an
-    exception from a callback and carries on, so `error` stores it until `finish` raises it. `count`
+    Set `kick`, which is passed to the work, take pymunk's step, and call `finish`; or call what
+    `around` returns. pymunk prints an exception from a callback and carries on, so `error` stores
+    it until then. `count`
     is the number of calls in a step, `seconds` their total time since `start_timing` was called
     [s].
     """
@@ -38,6 +39,7 @@ class Hook:
         self.error: Exception | None = None
         self.seconds = 0.0
         self.count = bool(before_kick) + bool(after_solve)
+        self._acts_before, self._acts_after = bool(before_kick), bool(after_solve)
         self._before, self._after = _in_turn(before_kick), _in_turn(after_solve)
         with np.errstate(all="ignore"):  # values that are not finite end the run elsewhere
             quiet = copy_context()  # entering it takes a tenth of the time of `errstate`
@@ -59,7 +61,29 @@ class Hook:
         """Raise the exception of the step, if any, or else call the work after the solver."""
         if self.error:
             raise self.error
-        self._call(self._after, self.kick)
+        if self._acts_after:
+            self._call(self._after, self.kick)
+
+    def around(self, drift_and_kick: Callable[[], None], kick: Kick) -> Callable[[], None]:
+        """Return a function that takes a drift and a kick of pymunk's, with the calls in it.
+
+        It raises errors from these calls. It must be made anew when timing starts.
+        """
+        call, after = self._call, self._after
+        if not self._acts_before:
+
+            def take_then_act() -> None:
+                drift_and_kick()
+                call(after, kick)
+
+            return take_then_act
+
+        def take() -> None:
+            self.kick = kick
+            drift_and_kick()
+            self.finish()
+
+        return take
 
     def start_timing(self) -> None:
         """Measure the time of the calls from now on, at a small cost."""

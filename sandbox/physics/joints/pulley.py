@@ -27,7 +27,7 @@ import pymunk
 
 from sandbox.model.shapes import XY
 from sandbox.model.translatable_message import Message
-from sandbox.physics.engine.private_handles import Pair
+from sandbox.physics.engine.private_handles import pair_of
 from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.state.simulation_errors import JointFailure
 
@@ -50,7 +50,7 @@ class PulleyString:
         self, name: str, ends: tuple[pymunk.Body, pymunk.Body], pegs: tuple[XY, ...], length: float
     ) -> None:
         self._name = name
-        self._ends, self._pair = ends, Pair(*ends)
+        self._ends, self._pair = ends, pair_of(*ends)
         self._pegs = pegs[0], pegs[-1]
         between = pairwise(pegs)
         self._free_length = length - fsum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in between)

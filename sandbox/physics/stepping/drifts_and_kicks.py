@@ -50,12 +50,15 @@ class Kicks:
     def compose(self, parts: Sequence[Substep]) -> None:
         """Compose all further steps of these drifts and kicks."""
         self.parts, self._last_part = parts, parts[-1]
-        self._kicks = [
+        kicks = [
             Kick(self.clock, part.ahead, part.kick, part.following, scale=part.scale)
             for part in parts
         ]
-        quietly = partial(self._drift_and_kick, self._last_part.drift)
-        self.take = self._with_calls(self._hook) if self._hook else quietly
+        kicks[-1] = replace(kicks[-1], ahead=0)  # the step is counted before its last kick
+        *self._take_leading, self.take = map(self._with_calls, parts, kicks)
+        field = self._scene.gravity
+        x, y = field.acceleration if field else (0.0, 0.0)
+        self._gravity = [(x * part.scale, y * part.scale) for part in parts]
         if self._joints.together:
             self._joints.together.parts = len(parts)
 
@@ -67,43 +70,28 @@ class Kicks:
             from sandbox.physics.engine.step_hook import Hook
 
             self._hook = Hook(self._space, dynamic, in_kick, after_kick)
-            self.take = self._with_calls(self._hook)
+            self.compose(self.parts)
 
-    def _with_calls(self, hook: "Hook") -> Callable[[], None]:
-        """Return a function that takes the last drift of a step and its kick, with Python calls.
-
-        It raises errors from these calls.
-        """
-        last, drift_and_kick = self._last_part, self._drift_and_kick
-        kick = replace(self._kicks[-1], ahead=0)
-
-        def take() -> None:
-            hook.kick = kick
-            drift_and_kick(last.drift)
-            hook.finish()
-
-        return take
+    def _with_calls(self, part: Substep, kick: Kick) -> Callable[[], None]:
+        """Return a function that takes the drift and the kick of a part, with Python calls."""
+        quietly = partial(self._drift_and_kick, part.drift)
+        return self._hook.around(quietly, kick) if self._hook else quietly
 
     def take_leading_parts(self) -> None:
         """Take all drifts and kicks of a step but the last."""
         if self.trail is not None:
             self.trail = []
-        for part, kick in zip(self.parts[:-1], self._kicks, strict=False):
-            self._prepare(part, kick)
-            self._drift_and_kick(part.drift)
-            self.finish()
+        for part, gravity, take in zip(self.parts, self._gravity, self._take_leading, strict=False):
+            self._prepare(part, gravity)
+            take()
             if self.trail is not None:
                 self.trail.append(self._scene.batch.state())
-        self._prepare(self._last_part, self._kicks[-1])
+        self._prepare(self._last_part, self._gravity[-1])
 
-    def _prepare(self, part: Substep, kick: Kick) -> None:
-        """Prepare the kick of a part of a step."""
+    def _prepare(self, part: Substep, gravity: tuple[float, float]) -> None:
+        """Set the durations and the gravity of a part of a step."""
         self._joints.time(part.kick, part.following)
-        if gravity := self._scene.gravity:
-            x, y = gravity.acceleration
-            self._set_gravity((x * part.scale, y * part.scale))
-        if self._hook:
-            self._hook.kick = kick
+        self._set_gravity(gravity)
 
     def hold(self, *, first: bool = False) -> AbstractContextManager[None]:
         """Hold all bodies in place, between two steps or before the `first`; see `settle`."""
@@ -165,6 +153,7 @@ class Kicks:
         """Measure the time of these calls from now on."""
         if self._hook:
             self._hook.start_timing()
+            self.compose(self.parts)
 
     @property
     def seconds(self) -> float:

@@ -85,27 +85,28 @@ class ExactJoints(ConstraintForces):
             return
         apart = self._alone and not self._fresh
         self.tension = self._solve_separately(until) if apart else self._solve_together(until)
-        last = self._past[: 3 * self.parts - 1]
-        self._past = self._past[:1] if self._struck else [self.tension, *last]
-        self._struck = False
-        self._warm_start = self._cold
-        if np.count_nonzero(self.added):
+        if self._struck:
+            self._past, self._struck = self._past[:1], False
             self.added = np.zeros_like(self._taut)
+        else:
+            self._past = [self.tension, *self._past]
+            del self._past[3 * self.parts :]
+        self._warm_start = self._cold
 
     def _solve_separately(self, until: float) -> Array:
         """Solve the equations one by one, in floats; return the forces along them: (m,) [N]."""
-        past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
-        warm_start, length = self._warm_start.tolist(), self.lengths(until).tolist()
-        found = np.empty(len(length))
+        past, kick, drift = self._past[self.parts - 1 :: self.parts], self.kick, self.drift
+        length, found = self.lengths(until), []
+        warm_start = None if self._warm_start is self._cold else self._warm_start
         for i, one in enumerate(self._alone):
-            expected = parabola([tension[i] for tension in past]) if past else 0.0
-            guess = expected * self.kick - warm_start[i]
+            expected = expected_number(past, i) * kick
+            begun = 0.0 if warm_start is None else warm_start.item(i)
             try:
-                impulse = one.solve(length[i], guess, self.drift)
+                impulse = one.solve(length.item(i), expected - begun, drift)
             except ZeroDivisionError:
                 raise self.failure(i) from None
-            found[i] = (warm_start[i] + impulse) / self.kick
-        return found
+            found.append((begun + impulse) / kick)
+        return np.array(found)
 
     def _solve_together(self, until: float) -> Array:
         """Solve all equations at once; return the forces along them: (m,) [N]."""
@@ -228,6 +229,14 @@ class ExactJoints(ConstraintForces):
         tension[: len(self.tension)] = self.tension
         taut = np.flatnonzero(self._taut)
         return failure(self, row, taut, self._independence, tension, self.drift)
+
+
+def expected_number(past: list[Array], i: int) -> float:
+    """Extrapolate the number of an index by one step, as `parabola` does; 0 without a past."""
+    if len(past) == 3:
+        last, before, first = past
+        return 3 * (last.item(i) - before.item(i)) + first.item(i)
+    return parabola([tension.item(i) for tension in past]) if past else 0.0
 
 
 def parabola(past: list[Number]) -> Number:
