@@ -154,6 +154,9 @@ class Seeker:
         with suppress(SimulationError):
             trace = self._run(stepping, items)
             error = largest_relative_difference(trace, best.traces[-1], items)[0] + best.errors[-1]
+            if refinement.own_error is not None:
+                own = largest_relative_difference(trace, refinement.traces[-1], items)[0]
+                error = max(error, own + refinement.own_error)
             if error <= self.target:
                 return Candidate(stepping, error, trace, chosen.work * rate / chosen.stepping.rate)
         return chosen

@@ -82,6 +82,9 @@ class Refinement:
     continues: negative for rounding, which grows with the rate."""
     confirmed: int = 0
     """The number of runs, from the first, whose errors are confirmed by finer runs."""
+    own_error: float | None = None
+    """The error of the last run as estimated from these runs alone, which counts beside that
+    relative to a better refinement; None if it does not."""
 
     def cheapest(self, error: float) -> tuple[Trace, float] | None:
         """Return the first run with a confirmed error that is small enough, and that error."""
@@ -168,17 +171,23 @@ def relative_to(refinement: Refinement, better: Refinement, items: Sequence[Watc
     """Return a refinement with its errors relative to the last run of a better one.
 
     The errors of all its runs are confirmed if the other scheme differs; else only those of runs
-    with at least four times the step of that last run.
+    with at least four times the step of that last run. Where all is smooth, three runs show their
+    errors by themselves, too, and the larger estimate counts: the last run of the better scheme may
+    seem more accurate than it is.
     """
     last, own = better.traces[-1], better.errors[-1]
     errors = tuple(
         max(largest_relative_difference(trace, last, items)[0] + own, own)
         for trace in refinement.traces
     )
+    own_error = None
+    if len(errors) > 2 and not last.level.effects.contact:
+        own_error = refinement.errors[-1]
+        errors = tuple(max(pair) for pair in zip(errors, refinement.errors, strict=True))
     finest = last.stepping.rate / 2**WITNESSES
     same_scheme = last.stepping.scheme == refinement.traces[-1].stepping.scheme
     confirmed = sum(not same_scheme or trace.stepping.rate <= finest for trace in refinement.traces)
-    return replace(refinement, errors=errors, confirmed=confirmed)
+    return replace(refinement, errors=errors, confirmed=confirmed, own_error=own_error)
 
 
 def largest_relative_difference(

@@ -9,7 +9,12 @@ from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.event_timing_errors import hidden_error
 from sandbox.physics.accuracy.richardson_extrapolation import extrapolated
-from sandbox.physics.accuracy.step_refinement import largest_relative_difference, with_errors
+from sandbox.physics.accuracy.step_refinement import (
+    Refinement,
+    largest_relative_difference,
+    relative_to,
+    with_errors,
+)
 from sandbox.physics.measuring.recording import Trace
 from tests.physics.scenes import GRAVITY, G, disc, level, orbit
 
@@ -84,3 +89,21 @@ def test_a_peak_between_two_steps_is_told() -> None:
     assert missed == pytest.approx(G * step**2 / 8, rel=1e-6)
     assert off.error * (G * top**2 / 2 - missed) == pytest.approx(missed, rel=1e-6)
     assert off.item == item
+
+
+@pytest.mark.sweep
+def test_a_run_is_told_no_better_than_its_own_scheme_shows() -> None:
+    """The last run of another scheme may seem more accurate than it is.
+
+    Here it is made from the second run of three, so that this one would seem to have no error.
+    """
+    traces = runs(orbit(), 60, 120, 240)
+    own = with_errors(traces, [PLACE])
+    alike = replace(traces[1], stepping=Stepping(rate=120, scheme="fourth-order"))
+    better = Refinement((alike,), (1e-12,), ())
+
+    found = relative_to(own, better, [PLACE])
+
+    assert found.errors[1] == own.errors[1] > 1e-5
+    assert found.own_error == own.errors[-1]
+    assert relative_to(with_errors(traces[:2], [PLACE]), better, [PLACE]).errors[1] == 1e-12
