@@ -89,6 +89,17 @@ class Reaches:
         self._spread(partials, jacobian.reshape(*many, -1))
         return Rows(total, jacobian)
 
+    def write_negative(self, pose: Coordinates, total: Array, jacobian: Array) -> None:
+        """Write the negative of what `evaluate` returns, at positions without leading axes."""
+        if self._apart and self._half:
+            length, partials = self.measure(pose)
+            jacobian.fill(-0.0)
+            jacobian.reshape(-1)[self._into] = -partials
+        else:
+            length, jacobian[:] = self.evaluate(pose)
+            np.negative(jacobian, out=jacobian)
+        np.negative(length, out=total)
+
     def measure(self, pose: Coordinates) -> tuple[Array, Array]:
         """Return the values of the rows at given positions, and the entries of their Jacobian."""
         ends = pose.position.take(self._body, axis=-1)

@@ -104,6 +104,15 @@ class Equations:
         """Return the values at given positions, and their Jacobian."""
         return self._with_others(self.reaches.evaluate(pose), pose, self._numbered)
 
+    def write_negative(self, pose: Coordinates, total: Array, jacobian: Array) -> None:
+        """Write the negative of what `evaluate` returns: (m,) and (m, 3 N)."""
+        if not self.others:
+            self.reaches.write_negative(pose, total, jacobian)
+            return
+        rows = self.evaluate(pose)
+        np.negative(rows.total, out=total)
+        np.negative(rows.jacobian, out=jacobian)
+
     def evaluate_without_memory(self, pose: Coordinates) -> Rows:
         """Return the same as `evaluate`, but without an effect on the next evaluation."""
         others = [(row, copy(equation)) for row, equation in self._numbered]

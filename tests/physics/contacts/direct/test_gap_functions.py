@@ -6,7 +6,7 @@ import pytest
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.run import build
-from tests.physics.scenes import GRAVITY, Spec, box, fixed, level
+from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, floor, level
 
 STAIR: dict[str, Spec] = {
     "ground": fixed({"type": "box", "width": 4, "height": 1}, (0, -0.5)),
@@ -56,3 +56,21 @@ def test_each_point_of_two_sides_has_its_own_side(names: tuple[str, str], leans:
     on_lower = (kick.layout.touching.bodies > 0).all(axis=0)
     rises = np.subtract(heights(place + way, upper), heights(place, upper))
     assert sorted(opened[on_lower]) == pytest.approx(sorted(rises), abs=1e-7)  # m, the skin
+
+
+def test_sides_are_remembered_for_these_bodies_and_this_friction_only() -> None:
+    effects = {**GRAVITY, "contact": {"solver": "direct"}, "friction": {}, "rotation": {}}
+    ball = {"ball": disc((0, 0.5), friction=0.4), "ground": floor(friction=0.4)}
+    world = build(level(ball, effects))
+    world.advance()
+    direct = world.scene.direct
+    assert direct
+    assert direct._taken
+    touching, owner = direct._taken.kick.layout.touching, np.array([[False], [True]])
+
+    known = touching.memory.recall(owner)
+
+    assert known is not None
+    assert known.is_owner.tolist() == [[0, 0], [1, 1]]  # the ground's, in the gap and in the slip
+    assert touching.memory.recall(~owner) is None
+    assert touching.with_friction_at(touching.friction_points).memory.recall(owner) is None

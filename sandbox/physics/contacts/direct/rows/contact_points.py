@@ -4,11 +4,36 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.rows.contact_outlines import Figures, Outlines
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 
 FROM_TO = np.array([[-1.0], [1.0]], dtype=complex)  # as the directions are
 """The sign of the direction from the first body to the second, for each of the two."""
+
+
+class Sides(NamedTuple):
+    """What follows from which bodies have the sides; fields as of `Features`."""
+
+    side: Integers
+    is_owner: Array
+    rolls: Array
+    circles: Array
+
+
+class SidesMemory:
+    """The sides in the last step, where all points have one: they seldom change."""
+
+    def __init__(self) -> None:
+        self._last: tuple[bytes, Sides] | None = None
+
+    def recall(self, owns: Booleans) -> Sides | None:
+        """Return what was noted for these bodies with sides, (2, k)."""
+        return self._last[1] if self._last and self._last[0] == owns.tobytes() else None
+
+    def note(self, owns: Booleans, sides: Sides) -> None:
+        """Note what follows from them; it must not be changed."""
+        self._last = owns.tobytes(), sides
 
 
 class ContactPoints(NamedTuple):
@@ -38,6 +63,8 @@ class ContactPoints(NamedTuple):
     yields
         (k,), whether the first body moves and the second does not: where two sides face each other,
         the side of the second is then the reference.
+    memory
+        The sides in the last step.
     ends
         (2, k), where they touch with the end of a side, though with its normal; None if nowhere.
     """
@@ -53,6 +80,7 @@ class ContactPoints(NamedTuple):
     figures: Figures
     outlines: Outlines
     yields: Booleans
+    memory: SidesMemory
     ends: Booleans | None = None
 
     @classmethod
@@ -83,6 +111,7 @@ class ContactPoints(NamedTuple):
             figures,
             everything,
             yields,
+            SidesMemory(),
         )
 
     @property
@@ -101,7 +130,7 @@ class ContactPoints(NamedTuple):
     def with_friction_at(self, points: Integers) -> "ContactPoints":
         """Return the same with friction at other points: (f,)."""
         rows = np.concatenate((np.arange(len(self.pair)), points))
-        return self._replace(friction_points=points, rows=rows)
+        return self._replace(friction_points=points, rows=rows, memory=SidesMemory())
 
     @property
     def friction_bodies(self) -> Integers:

@@ -30,8 +30,8 @@ from sandbox.physics.contacts.direct.rows.curve_contacts import (
     CurveContact,
     follow_curves,
     on_curves,
-    roll_on_curves,
 )
+from sandbox.physics.contacts.direct.rows.sides_in_contact import sides_of, to_the_middle
 from sandbox.physics.engine.space_arrays import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.joint_anchors import Complexes
@@ -156,7 +156,7 @@ class Features:
         points = pose.position[bodies] + self.points * pose.rotation[bodies]
         first, second = points[:, : len(self.offset)]
         moved.offset = second - first
-        moved.rolls = _to_the_middle(self.rolls, self.circles, moved.offset[rubs])
+        moved.rolls = to_the_middle(self.rolls, self.circles, moved.offset[rubs])
         return moved
 
 
@@ -175,8 +175,7 @@ def features(
     contacts: Contacts, touching: ContactPoints, pose: Coordinates, origin: complex
 ) -> Features:
     """Return the contact points of a step; the origin is that of the positions [m]."""
-    bodies, pair, _, number, rubs = touching[:5]
-    figures, outlines = touching.figures, touching.outlines
+    (bodies, pair, _, number, rubs), outlines = touching[:5], touching.outlines
     n = contacts.direction.view(complex).take(pair)
     middle = np.ascontiguousarray(contacts.points).view(complex).take(number) - origin
     out = OUT * n  # of each body
@@ -185,33 +184,34 @@ def features(
     is_round, center = outlines.round(where, rotation, n, middle)
     back = rotation.conj()
     owns, normals = _owns(touching, out * back, (surfaces - where) * back)
-    curved = tuple(on_curves(figures, bodies, n, surfaces, (pose.position, pose.rotation)))
+    curved = tuple(on_curves(outlines.figures, bodies, n, surfaces, (pose.position, pose.rotation)))
     if (ends := touching.ends) is not None:
         is_round = is_round & ~ends
         curved = tuple(one for one in curved if not ends[int(one.sign < 0), one.point])
     is_round, center = _with_curves(curved, pose, is_round, center, owns)
-    corners, corner = _corners(outlines, is_round, owns)
-    bends = _bends(outlines, is_round, owns, corner)
+    recalls = not curved and ends is None and outlines.figures.plain
+    known = touching.memory.recall(owns) if recalls else None
+    corners, corner = (None, None) if known else _corners(outlines, is_round, owns)
+    bends = None if known else _bends(outlines, is_round, owns, corner)
     core = surfaces if bends is None else surfaces - out * np.where(bends, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
     sign, rounds = (None, None) if corner is None else _rounds(corner, d, n)
-    side = np.where(owns[1], bodies[1], bodies[0])
-    rolls = _rolls(touching, is_round, owns, sign, bends)
-    if curved:
-        roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
-    circles = _circles(sign, curved, rubs)
+    if known is None:
+        known = sides_of(touching, is_round, owns, sign, bends, curved)
+        if recalls and corner is None and corners is None and bends is None:
+            touching.memory.note(owns, known)
     normal = np.where(owns[1], normals[1], normals[0])
     return Features(
         touching=touching,
         points=((at - where) * back).take(touching.rows, axis=1),
-        side=side.take(touching.rows),
+        side=known.side,
         normal=np.concatenate((normal, 1j * normal.take(rubs))),
-        is_owner=owns.take(touching.rows, axis=1).astype(float),
+        is_owner=known.is_owner,
         rounds=rounds,
         sign=np.zeros(0) if sign is None else sign[rounds],
-        rolls=_to_the_middle(rolls, circles, d[rubs]),
-        circles=circles,
+        rolls=to_the_middle(known.rolls, known.circles, d[rubs]),
+        circles=known.circles,
         offset=d,
         curved=tuple(one for one in curved if corner is not None and corner[one.point]),
         corners=corners,
@@ -296,55 +296,3 @@ def _bends(
         return None if corner is None else np.stack((corner, corner))
     bends = ~(owns | is_round) & (outlines.rounding > SHARP)
     return bends if corner is None else bends | corner
-
-
-def _rolls(
-    touching: ContactPoints,
-    is_round: Booleans,
-    owns: Booleans,
-    sign: Array | None,
-    bends: Booleans | None,
-) -> Array:
-    """Return the radii by which the angles of the two bodies count in the slip: (2, f) [m].
-
-    For `is_round` and `owns` see `_corners`. `sign`, (k,), is s above, and 0 where there is a side;
-    None if there is one everywhere. `bends`, (2, k), tells where they have rounded corners; None if
-    nowhere.
-    """
-    outlines, rubs = touching.outlines, touching.friction_points
-    if not len(rubs):
-        return np.zeros((2, 0))
-    if sign is None:
-        radius = outlines.rolls(is_round, bends, None).take(rubs, axis=1)
-        return np.where(owns.take(rubs, axis=1), radius[::-1], -radius)
-    inner = None
-    if touching.figures.hollow:
-        inner = (sign < 0) & (outlines.inner > 0)
-        inner[1] &= ~inner[0] | (outlines.inner[1] > outlines.inner[0])
-        inner[0] &= ~inner[1]
-    radius = outlines.rolls(is_round, bends, inner).take(rubs, axis=1)
-    own = -radius if inner is None else np.where(inner.take(rubs, axis=1), radius, -radius)
-    return np.where(owns.take(rubs, axis=1), radius[::-1], own)
-
-
-def _circles(sign: Array | None, curved: Sequence[CurveContact], rubs: Integers) -> Array:
-    """Return s for friction between discs, and 0 where there is a side or a curve: (f,)."""
-    if sign is None:
-        return np.zeros(len(rubs))
-    circles = sign.copy()
-    for one in curved:
-        circles[one.point] = 0.0
-    return circles.take(rubs)
-
-
-def _to_the_middle(rolls: Array, circles: Array, apart: Complexes) -> Array:
-    """Return radii that end midway in the gap or overlap: (2, f) [m].
-
-    Friction then acts on both bodies at one point, and leaves their angular momentum as it is. For
-    `rolls` and `circles` see `Features`; `apart`, (f,), is from one centre to the other [m].
-    """
-    if not np.count_nonzero(circles):
-        return rolls
-    missing = np.where(circles, -circles * np.abs(apart) - rolls.sum(axis=0), 0.0)
-    centred: Array = rolls + missing / 2
-    return centred

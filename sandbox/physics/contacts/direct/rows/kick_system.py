@@ -310,9 +310,7 @@ def rows_at(pose: Coordinates, joints: ExactJoints, found: Features) -> Rows:
     total, jacobian = np.empty(count), np.zeros((count, len(pose.values)))
     found.evaluate(pose, total[first:], jacobian[first:])
     if first:
-        joint_rows = joints.evaluate(pose)
-        np.negative(joint_rows.total, out=total[:first])
-        np.negative(joint_rows.jacobian, out=jacobian[:first])
+        joints.equations.write_negative(pose, total[:first], jacobian[:first])
     return Rows(total, jacobian)
 
 
