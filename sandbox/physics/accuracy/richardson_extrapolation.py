@@ -35,6 +35,8 @@ class Errors:
     """The scale of relative errors; 1 where the value itself is zero."""
     rounding_growth: float
     """The power of the rate with which they grow, if they are due to rounding; else 0."""
+    agrees_by_chance: bool = False
+    """Whether the last two runs differ by less than the order of the scheme explains."""
 
     @property
     def relative(self) -> tuple[float, ...]:
@@ -61,7 +63,8 @@ def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
     to_last = (largest_difference(trace, traces[-1], item) for trace in traces[:-1])
     growth = 0.0 if order else _rounding_growth(differences)
     errors = (*(inf if w is None else w + last for w in to_last), last)
-    return Errors(errors, order, error_unit(traces, item, last), growth)
+    by_chance = jump > differences[-1]
+    return Errors(errors, order, error_unit(traces, item, last), growth, agrees_by_chance=by_chance)
 
 
 def _rounding_growth(differences: Sequence[float]) -> float:

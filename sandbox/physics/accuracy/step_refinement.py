@@ -14,7 +14,7 @@ from sandbox.physics.accuracy.compared_runs import (
     largest_difference,
 )
 from sandbox.physics.accuracy.event_timing_errors import hidden_error
-from sandbox.physics.accuracy.richardson_extrapolation import extrapolated
+from sandbox.physics.accuracy.richardson_extrapolation import Errors, extrapolated
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.stepping.make_world import make_world
@@ -158,13 +158,24 @@ def with_errors(traces: Sequence[Trace], items: Sequence[Watched]) -> Refinement
     largest = tuple(
         max(unseen, *column) for column in zip(*(part.relative for part in parts), strict=True)
     )
-    growth = tuple((part.relative[-1], part.order or -part.rounding_growth) for part in parts)
+    contact = traces[0].level.effects.contact
+    late = contact is not None and any(hidden_error(trace, items).error for trace in traces)
+    growth = tuple((part.relative[-1], _power(part, are_late=late)) for part in parts)
     growth += ((unseen, 1.0),) if unseen else ()
     confirmed = max(len(traces) - WITNESSES, 0)
     refinement = Refinement(tuple(traces), largest or (inf,) * len(traces), growth, confirmed)
     shown = len(traces) >= RUNS and refinement.can_extrapolate(COUNTS * refinement.errors[-1])
-    contact = traces[0].level.effects.contact
     return replace(refinement, confirmed=confirmed + 1) if shown and not contact else refinement
+
+
+def _power(errors: Errors, *, are_late: bool) -> float:
+    """Return the power of the step with which the error of the last run continues.
+
+    Where any run found impacts late, two runs that agree by chance show no order: the next run may
+    be as far off as the last but one.
+    """
+    power = errors.order or -errors.rounding_growth
+    return min(power, 1.0) if are_late and errors.agrees_by_chance else power
 
 
 def relative_to(refinement: Refinement, better: Refinement, items: Sequence[Watched]) -> Refinement:

@@ -6,8 +6,9 @@ import pytest
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
+from sandbox.physics.accuracy import step_refinement
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
-from sandbox.physics.accuracy.event_timing_errors import hidden_error
+from sandbox.physics.accuracy.event_timing_errors import RelativeError, hidden_error
 from sandbox.physics.accuracy.richardson_extrapolation import extrapolated
 from sandbox.physics.accuracy.step_refinement import (
     Refinement,
@@ -16,9 +17,10 @@ from sandbox.physics.accuracy.step_refinement import (
     with_errors,
 )
 from sandbox.physics.measuring.recording import Trace
-from tests.physics.scenes import GRAVITY, G, disc, level, orbit
+from tests.physics.scenes import GRAVITY, G, disc, floor, level, orbit
 
 PLACE = Watched("planet.position.x")
+NONE = RelativeError()
 
 
 def runs(scene: Level, *rates: float) -> list[Trace]:
@@ -107,3 +109,25 @@ def test_a_run_is_told_no_better_than_its_own_scheme_shows() -> None:
     assert found.errors[1] == own.errors[1] > 1e-5
     assert found.own_error == own.errors[-1]
     assert relative_to(with_errors(traces[:2], [PLACE]), better, [PLACE]).errors[1] == 1e-12
+
+
+@pytest.mark.sweep
+def test_where_impacts_are_late_runs_that_agree_by_chance_show_no_order(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A slide on a cycloid was told 4.5e-7 by extrapolation from such runs, and off by 1.4e-6."""
+    *coarse, fine = runs(orbit(), 60, 120, 240)
+    alike = replace(fine, columns={**fine.columns, PLACE.quantity: twice(coarse[-1], fine)})
+    touching = level({"ball": disc((0, 1)), "floor": floor()}, {**GRAVITY, "contact": {}})
+
+    def order(last: Trace, *, late: float) -> float:
+        found = {60: RelativeError(late)}
+        monkeypatch.setattr(
+            step_refinement, "hidden_error", lambda t, _: found.get(t.stepping.rate, NONE)
+        )
+        traces = [replace(trace, level=touching) for trace in (*coarse, last)]
+        return with_errors(traces, [PLACE]).growth[0][1]
+
+    assert order(alike, late=1e-3) == 1
+    assert order(alike, late=0) == 2  # nothing strikes
+    assert order(fine, late=1e-3) == pytest.approx(2, abs=0.01)
