@@ -217,9 +217,8 @@ def test_the_curve_stays_in_place_while_the_mouse_moves_over_it(thrower: Person)
     work.points = [Point(float(at), None, None, None) for at in range(5, 26)]
     page._show()
     before = page.field
-    chosen, pen, room = work.chosen(thrower.session), page._sheet.pen, page._sheet.width
-    assert chosen is not None
-    result = card._result(thrower.session.level, chosen, work.points[10])
+    pen, room = page._sheet.pen, page._sheet.width
+    result = card._result("speed", "m/s", work.points[10])
     assert len(pen.wrap(say(card.HINT), room, 12)) < len(pen.wrap(result, room, 12))
 
     thrower.move(before.center)

@@ -1,6 +1,7 @@
 """The card with the curve of an experiment, as far as computed."""
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 import numpy as np
 import pygame
@@ -100,29 +101,41 @@ def _series(points: Sequence[Point]) -> Iterator[Series]:
 
 
 def _point_text(
-    card: TextColumn, level: Level, chosen: CurveChoice, points: Sequence[Point], point: Point | None
+    card: TextColumn,
+    level: Level,
+    chosen: CurveChoice,
+    points: Sequence[Point],
+    point: Point | None,
 ) -> None:
     """Add the result of a run in numbers.
 
     It gets as many lines as the longest of all results, so that the curve stays where it is while
     the mouse moves over it.
     """
-    hint, top = say(HINT), card.y
-    texts = hint, *(_result(level, chosen, each) for each in points)
-    lines = max(len(card.pen.wrap(text, card.width, 12)) for text in texts)
+    hint, top, unit = say(HINT), card.y, level.parameters[chosen.parameter].unit
+    lines = _most_lines(card.pen, card.width, hint, chosen.parameter, unit, tuple(points))
     if point is None:
         card.text(hint, 12, theme.DIM)
     else:
-        card.text(_result(level, chosen, point), 12, theme.NOTICE)
+        card.text(_result(chosen.parameter, unit, point), 12, theme.NOTICE)
     card.y = max(card.y, top + lines * card.pen.write(hint, 12).height)
 
 
-def _result(level: Level, chosen: CurveChoice, point: Point) -> str:
+@lru_cache(maxsize=4)
+def _most_lines(
+    pen: Pen, width: int, hint: str, parameter: str, unit: str, points: tuple[Point, ...]
+) -> int:
+    """Return the largest number of lines of the hint and the results; counting them takes 4 ms."""
+    texts = hint, *(_result(parameter, unit, each) for each in points)
+    return max(len(pen.wrap(text, width, 12)) for text in texts)
+
+
+def _result(parameter: str, unit: str, point: Point) -> str:
     """Return the result of a run in words."""
-    value = formatting.quantity(point.at, level.parameters[chosen.parameter].unit, 4)
+    value = formatting.quantity(point.at, unit, 4)
     if point.measured is None:
-        return f"{chosen.parameter} = {value}: {say(point.failure or DID_NOT_HAPPEN)}"
-    message = f"{chosen.parameter} = {value}: {formatting.number(point.measured, DIGITS)}"
+        return f"{parameter} = {value}: {say(point.failure or DID_NOT_HAPPEN)}"
+    message = f"{parameter} = {value}: {formatting.number(point.measured, DIGITS)}"
     if point.expected is not None:
         closed = formatting.number(point.expected, DIGITS)
         message += say(", closed form {value}", value=closed)
