@@ -180,7 +180,7 @@ def test_the_legend_keeps_off_bodies_in_every_corner(text_scale: float) -> None:
 
     run_legend.draw(surface, Pen(text_scale), rows, view=SeenBodies([], weights))  # type: ignore[arg-type]
 
-    drawn = pygame.surfarray.array3d(surface).any(axis=2)
+    drawn = np.asarray(pygame.surfarray.array3d(surface).any(axis=2))
     assert drawn.any()
     assert not any(drawn[w.left : w.right, w.top : w.bottom].any() for w in weights)
 
