@@ -89,6 +89,24 @@ def test_a_body_in_the_hand_is_not_covered_by_the_probe(
     assert len(drawn) > before
 
 
+def test_the_probe_covers_no_label_and_no_body(person: Person) -> None:
+    """Its plate lay over the names of the balls, and over the forces below the mouse."""
+    person.window.open_level("momentum/cradle")
+    person.press(pygame.K_j, "j")
+    person.click(person.on_screen((0.8, 0.0)))
+    person.wait(0.1)
+    view = person.window.stage.view
+    labels = [place.copy() for place in view.labels._taken]
+    person.move(person.on_screen((0.8, 0.0)))
+
+    *before, plate = view.labels._taken
+
+    assert before == labels[: len(before)]
+    assert len(before) >= 5 + 2
+    assert plate.collidelist(before) < 0
+    assert plate.collidelist(view.boxes) < 0
+
+
 def test_a_branch_leaves_the_old_trail_to_be_probed(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     for _ in range(40):

@@ -22,6 +22,8 @@ DIGITS = 4
 APART = "   "
 """The gap between the parts of the text."""
 AWAY, PADDING = 16, 8  # px, from the instant to the text, and around the text
+DISTANCES = range(AWAY, 160, 16)
+"""The distances of the text from the instant that are tried, the nearest first [px]."""
 
 
 class ProbedInstant(NamedTuple):
@@ -97,13 +99,33 @@ def draw(surface: pygame.Surface, view: DrawingContext, session: Session, pixel:
     at = view.camera.to_screen(found.at)
     pygame.draw.aacircle(surface, theme.NOTICE, at, 5, 2)
     text = _written(view.pen, found.text, surface.width - 2 * PADDING)
-    plate = text.get_rect(midtop=(at[0], at[1] + AWAY)).inflate(2 * PADDING, PADDING)
-    if plate.bottom > surface.get_height():
-        plate.bottom = round(at[1] - AWAY)
-    plate.clamp_ip(surface.get_rect())
+    plate = _place(surface.get_rect(), view, at, (text.width + 2 * PADDING, text.height + PADDING))
     pygame.draw.rect(surface, theme.RAISED, plate, border_radius=4)
     pygame.draw.rect(surface, theme.EDGE, plate, 1, border_radius=4)
     surface.blit(text, text.get_rect(center=plate.center))
+
+
+def _place(bounds: pygame.Rect, view: DrawingContext, at: XY, size: tuple[int, int]) -> pygame.Rect:
+    """Return the place of the text of some size near an instant, off bodies and other labels.
+
+    If there is none, it is below the instant, or above it at the lower edge.
+    """
+    plate, x, y = pygame.Rect((0, 0), size), round(at[0]), round(at[1])
+    around = [
+        place.clamp(view.labels.bounds)
+        for away in DISTANCES
+        for place in (
+            plate.move_to(midtop=(x, y + away)),
+            plate.move_to(midbottom=(x, y - away)),
+            plate.move_to(midleft=(x + away, y)),
+            plate.move_to(midright=(x - away, y)),
+        )
+    ]
+    free = view.labels.place_for(around, view.boxes, name="probe", strict=True)
+    below = plate.move_to(midtop=(x, y + AWAY))
+    if below.bottom > bounds.bottom:
+        below.bottom = y - AWAY
+    return free or below.clamp(bounds)
 
 
 def _written(pen: Pen, text: str, room: int) -> pygame.Surface:

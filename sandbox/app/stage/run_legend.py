@@ -23,6 +23,12 @@ PADDING = 8  # px
 LegendRow = tuple[Color | None, str]
 """A colour (None for the run that is played), and the caption of what is drawn in it."""
 
+SIZES = 14, 11
+"""The sizes of the text; the next one is taken if there is no place clear of bodies."""
+
+LEVELS = 8
+"""The number of heights at which a place beside the corners is looked for."""
+
 COLORS = 4
 """The largest number of bodies' colours that are shown for the current run."""
 
@@ -39,20 +45,18 @@ def draw(
 ) -> None:  # fmt: skip
     """Draw a row for each run in a corner, below the banner, where it covers no moving body.
 
-    It stays in its corner until bodies come there. The current run has no colour of its own, but
-    those of the bodies in the view. Long texts are shortened; the side panel shows them in full.
-    Nothing is drawn if there is no room below the banner, which ends at a height [px].
+    It stays in its corner until bodies come there. If no corner is clear, it stands elsewhere, or
+    is written smaller. The current run has no colour of its own, but those of the bodies in the
+    view. Long texts are shortened; the side panel shows them in full. Nothing is drawn if there is
+    no room below the banner, which ends at a height [px].
     """
     if not rows:
         return
-    beside = SWATCH + 10 + 2 * PADDING
-    room = surface.width - CORNER[0] - beside - GAP
-    texts = [pen.write(pen.shorten(text, room), 14) for _, text in rows]
-    height = texts[0].height + 2
-    size = max(text.width for text in texts) + beside, len(texts) * height + 2 * PADDING
-    box = _place(surface.get_rect(), size, max(CORNER[1], banner + GAP), view)
-    if box is None:
+    found = _placed(surface, pen, [text for _, text in rows], max(CORNER[1], banner + GAP), view)
+    if found is None:
         return
+    box, texts = found
+    height = _row_height(texts)
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
     pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)
     x, y = box.x + PADDING, box.y + PADDING
@@ -67,15 +71,36 @@ def draw(
         y += height
 
 
-def _place(
-    bounds: pygame.Rect, size: tuple[int, int], top: int, view: "DrawingContext | None"
-) -> pygame.Rect | None:
-    """Return the box of the legend, of some size, below a height [px]; None without room."""
+def _placed(
+    surface: pygame.Surface, pen: Pen, texts: Sequence[str], top: int, view: "DrawingContext | None"
+) -> tuple[pygame.Rect, Sequence[pygame.Surface]] | None:
+    """Return the box of the legend, below a height [px], and its texts; None without room."""
+    beside = SWATCH + 10 + 2 * PADDING
+    room, bodies = surface.width - CORNER[0] - beside - GAP, view.boxes if view and view.few else ()
+    labels = Labels(surface.get_rect(), view.kept if view else None)
+    for size, strict in ((SIZES[0], True), (SIZES[1], True), (SIZES[0], False)):
+        written = [pen.write(pen.shorten(text, room, size), size) for text in texts]
+        box = max(each.width for each in written) + beside, len(texts) * _row_height(written)
+        places = _places(surface.get_rect(), (box[0], box[1] + 2 * PADDING), top)
+        place = labels.place_for(places, bodies, name=f"legend {size}", strict=strict)
+        if place is not None:
+            return place, written
+    return None
+
+
+def _row_height(texts: Sequence[pygame.Surface]) -> int:
+    return texts[0].height + 2
+
+
+def _places(bounds: pygame.Rect, size: tuple[int, int], top: int) -> Sequence[pygame.Rect]:
+    """Return the places for a legend of some size: three corners, and then beside the edges."""
     left = pygame.Rect((CORNER[0], top), size)
-    places = left, left.move_to(right=bounds.right - GAP), left.move_to(bottom=bounds.bottom - LOW)
-    labels = Labels(bounds, view.kept if view else None)
-    bodies = view.boxes if view and view.few else ()
-    return labels.place_for((each for each in places if each.top >= top), bodies, name="legend")
+    columns = left, left.move_to(right=bounds.right - GAP), left.move_to(centerx=bounds.centerx)
+    free = bounds.bottom - LOW - left.bottom
+    heights = [top + free * i // LEVELS for i in range(LEVELS + 1)]
+    corners = *columns[:2], left.move_to(bottom=bounds.bottom - LOW)
+    others = [column.move_to(top=height) for height in heights for column in columns]
+    return [each for each in (*corners, *others) if each.top >= top]
 
 
 def _stroke(surface: pygame.Surface, colors: Sequence[Color], start: XY, end: XY) -> None:

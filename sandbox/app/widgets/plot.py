@@ -17,6 +17,8 @@ from sandbox.model.shapes import XY
 LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
 ROUNDING = 1e-12
 """Smaller differences are rounding: such a line is drawn level, in any unit."""
+EQUAL = 1e-9
+"""The same, relative to the values."""
 MANY = 600
 """The approximate number of points of a line that are drawn: there are no more pixels."""
 
@@ -74,12 +76,17 @@ class Scale(NamedTuple):
             yield i * step
 
 
-def scale(values: Sequence[Array], start: float, end: float, room: float) -> Scale:
-    """Return the scale for some values, with a fraction `room` of it left free at both ends."""
+def scale(
+    values: Sequence[Array], start: float, end: float, room: float, equal: float = EQUAL
+) -> Scale:
+    """Return the scale for some values, with a fraction `room` of it left free at both ends.
+
+    Values whose relative differences are at most `equal` are drawn level.
+    """
     finite = [v[np.isfinite(v)] for v in values]
     numbers = np.concatenate(finite) if finite else np.zeros(0)
     low, high = (float(numbers.min()), float(numbers.max())) if len(numbers) else (0.0, 1.0)
-    least = max(1e-9 * max(abs(low), abs(high)), ROUNDING)
+    least = max(equal * max(abs(low), abs(high)), ROUNDING)
     spread = high - low if high - low > least else max(abs(high), 1.0)
     middle = (low + high) / 2
     half = spread * (0.5 + room)
@@ -119,9 +126,12 @@ def horizontal_scale(pen: Pen, width: int, values: Sequence[Array]) -> Scale:
     return scale(values, pen.px(LEFT), width - pen.px(RIGHT), 0.0)
 
 
-def vertical_scale(pen: Pen, height: int, values: Sequence[Array]) -> Scale:
-    """Return the scale of y for a graph of some height [px], with a little room at both ends."""
-    return scale(values, height - pen.px(BELOW), pen.px(ABOVE), 0.06)
+def vertical_scale(pen: Pen, height: int, values: Sequence[Array], equal: float = EQUAL) -> Scale:
+    """Return the scale of y for a graph of some height [px], with a little room at both ends.
+
+    Values whose relative differences are at most `equal` are drawn level.
+    """
+    return scale(values, height - pen.px(BELOW), pen.px(ABOVE), 0.06, equal)
 
 
 def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) -> None:

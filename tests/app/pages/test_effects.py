@@ -170,6 +170,31 @@ def test_the_legend_keeps_off_moving_bodies_and_stays_in_its_corner(pen: Pen) ->
         assert drawn[0] > weight.right
 
 
+@pytest.mark.parametrize("text_scale", [1.0, 1.5])
+def test_the_legend_keeps_off_bodies_in_every_corner(text_scale: float) -> None:
+    """On a narrow stage with large text it lay over a weight in every corner."""
+    pygame.font.init()
+    rows = [(None, "leapfrog: error 4e-15"), (theme.GHOST, "symplectic Euler: error 0.01")]
+    weights = [pygame.Rect(146, 80, 40, 40), pygame.Rect(236, 442, 40, 40)]
+    surface = pygame.Surface((420, 510))
+
+    run_legend.draw(surface, Pen(text_scale), rows, view=SeenBodies([], weights))  # type: ignore[arg-type]
+
+    drawn = np.asarray(pygame.surfarray.array3d(surface).any(axis=2))
+    assert drawn.any()
+    assert not any(drawn[w.left : w.right, w.top : w.bottom].any() for w in weights)
+
+
+def test_the_legend_is_written_smaller_if_no_other_place_is_clear(pen: Pen) -> None:
+    rows, surface = [(None, "this run"), (theme.GHOST, "that")], pygame.Surface((600, 200))
+    band = pygame.Rect(0, 116, 600, 84)
+
+    run_legend.draw(surface, pen, rows, view=SeenBodies([], [band]))  # type: ignore[arg-type]
+
+    drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(0, 2)))
+    assert drawn[-1] < band.top
+
+
 def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:
     surface = pygame.Surface((370, 300))
     many = "with drag (linear 0.1), with contact, with restitution (coefficient 1)"

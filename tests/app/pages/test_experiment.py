@@ -12,17 +12,20 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.files import save_folder
+from sandbox.app.pages.experiment import card
 from sandbox.app.pages.experiment.background_parameter_sweep import (
     COUNT,
     Point,
     SamplingRefusal,
     coarse_first,
+    count_values,
     sample,
 )
-from sandbox.app.pages.experiment.card import nearest, span_of
+from sandbox.app.pages.experiment.card import curve, nearest, span_of
 from sandbox.app.pages.experiment.panel import ExperimentPage
 from sandbox.app.pages.experiment.parameter_curve import CurveWorker
 from sandbox.app.pages.graph.chosen_quantities import offered
+from sandbox.app.words.language import say
 from sandbox.experiments import suggested_measures
 from sandbox.experiments.measures import parse
 from sandbox.model import level_catalog
@@ -192,3 +195,46 @@ def test_parameters_and_measures_are_offered_by_their_labels(person: Person) -> 
         "m",
         "t@crossing(ball.position.y, 0, up)",
     )
+
+
+def test_a_number_of_balls_is_varied_in_whole_numbers() -> None:
+    """It was sampled at 65 values from 1 to 4, of which 62 repeat the one below."""
+    level = load(level_catalog.find("momentum/cradle"))
+
+    points = [*sample(level, level.defaults, "n", "ball1.speed@0")]
+
+    assert [point.at for point in points if isinstance(point, Point)] == [1, 2, 3, 4]
+    assert count_values(level, "n") == 4
+    assert count_values(level, "angle") == COUNT
+
+
+def test_the_curve_stays_in_place_while_the_mouse_moves_over_it(thrower: Person) -> None:
+    """With large text the hint takes one line, and such a result takes two."""
+    thrower.resize((900, 600))
+    thrower.window.comfort.choose(size=150)
+    thrower.wait()
+    page, work = thrower.page(ExperimentPage), exploring(thrower)
+    work.points = [Point(float(at), None, None, None) for at in range(5, 26)]
+    page._show()
+    before = page.field
+    pen, room = page._sheet.pen, page._sheet.width
+    result = card._result("speed", "m/s", work.points[10])
+    assert len(pen.wrap(say(card.HINT), room, 12)) < len(pen.wrap(result, room, 12))
+
+    thrower.move(before.center)
+
+    assert page._mouse is not None
+    assert page.field == before
+
+
+def test_a_result_that_is_constant_to_rounding_is_drawn_level(thrower: Person) -> None:
+    """It was scaled to its rounding: the energy of a cradle's ball, 1.31 J to 4e-9 J."""
+    page, work = thrower.page(ExperimentPage), exploring(thrower)
+    work.points = [Point(float(at), 1.3 + 4e-9 * (at % 2), None, None) for at in range(5, 26)]
+
+    drawn, field = curve(page._sheet.pen, page._sheet.width, thrower.session, work, None)
+
+    inside = drawn.subsurface(field.inflate(-120, 0))
+    lit = (pygame.surfarray.array3d(inside) == theme.BODIES[0]).all(axis=2).any(axis=0)
+    rows = np.flatnonzero(lit)
+    assert rows[-1] - rows[0] < 10

@@ -93,6 +93,28 @@ def test_a_number_that_is_typed_beside_the_field_answers_the_question(asked: Per
     assert asked.window.panels.page == "settings page"
 
 
+def test_play_submits_the_number_that_is_typed(asked: Person) -> None:
+    """It said "Type your prediction first" beside the number that had been typed."""
+    page = asked.page(PredictPage)
+    asked.type("-4.9")
+
+    asked.click(asked.window.panels.controls.button("play").rect)
+
+    assert page._predicting.predicted == pytest.approx(-4.9)
+    assert asked.session.playing
+
+
+@pytest.mark.sweep
+def test_play_does_not_submit_what_is_no_number(asked: Person) -> None:
+    asked.type("7 apples")
+
+    asked.click(asked.window.panels.controls.button("play").rect)
+
+    assert asked.page(PredictPage)._predicting.predicted is None
+    assert asked.page(PredictPage)._predicting.refusal
+    assert not asked.session.playing
+
+
 def test_a_run_stands_where_it_is_until_something_is_predicted(asked: Person) -> None:
     present = asked.session.world.steps
     assert present > 0

@@ -1,6 +1,7 @@
 """The runs of a curve, made in another process, from coarse to fine."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from math import ceil, floor
 from typing import NamedTuple
 
 from sandbox.experiments.experiment_file import parsed
@@ -12,9 +13,10 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.translatable_message import Message, joined
+from sandbox.model.whole_number_parameters import acts_as_whole_number
 
 COUNT = 65
-"""The number of values of the parameter: the ends, and the points of repeated bisection."""
+"""The number of values of a parameter: the ends, and the points of repeated bisection."""
 
 
 class Point(NamedTuple):
@@ -46,11 +48,24 @@ def sample(
     except SandboxError as error:
         yield SamplingRefusal(error.message)
         return
-    for index in coarse_first(COUNT):
+    count = count_values(level, parameter)
+    for index in coarse_first(count) if count == COUNT else range(count):
         (cells,) = measured(plan, index, index + 1)
         _, at, value, *closed, failure = cells
         expected = closed[0] if closed else None
         yield Point(_number(at) or 0.0, _number(value), _number(expected), _text(failure))
+
+
+def count_values(level: Level, parameter: str) -> int:
+    """Return the number of values that a parameter takes in a curve."""
+    return len(_whole_values(level, parameter)) or COUNT
+
+
+def _whole_values(level: Level, parameter: str) -> Sequence[int]:
+    """Return the values of a parameter that acts as a whole number, if there are few."""
+    limits = level.parameters[parameter]
+    values = range(ceil(limits.min), floor(limits.max) + 1)
+    return values if len(values) < COUNT and acts_as_whole_number(level, parameter) else ()
 
 
 def coarse_first(count: int) -> list[int]:
@@ -64,10 +79,10 @@ def coarse_first(count: int) -> list[int]:
 
 
 def _plan(level: Level, values: Values, parameter: str, measure: str) -> Plan:
-    limits = level.parameters[parameter]
+    limits, whole = level.parameters[parameter], _whole_values(level, parameter)
     request = {
         "level": level.title,
-        "vary": {parameter: f"{limits.min!r}:{limits.max!r}:{COUNT}"},
+        "vary": {parameter: ", ".join(map(str, whole)) or f"{limits.min!r}:{limits.max!r}:{COUNT}"},
         "measure": [measure],
         "set": {name: value for name, value in values.items() if name != parameter},
     }

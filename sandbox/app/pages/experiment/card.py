@@ -1,6 +1,7 @@
 """The card with the curve of an experiment, as far as computed."""
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 import numpy as np
 import pygame
@@ -20,6 +21,10 @@ from sandbox.experiments.suggested_measures import of_check
 from sandbox.model.level import Level
 
 HEIGHT = 190  # px, of the curve
+DIGITS = 5
+"""The digits of a result that are written."""
+EQUAL = 10.0**-DIGITS / 2
+"""Results whose relative differences are at most this are drawn level: no written digit differs."""
 NOTHING = later("This level has no parameter to vary.")
 DID_NOT_HAPPEN = later("that did not happen in this run")
 HINT = later("Click on the curve to run with that value.")
@@ -43,12 +48,14 @@ def curve(
     card.text(f"{title} [{unit}]" if unit else title, 13, theme.BODIES[0])
     if title != chosen.measure:
         card.text(chosen.measure, 12, theme.DIM)
-    _point_text(card, session.level, chosen, mouse)
+    _point_text(card, session.level, chosen, exploring.points, mouse)
     card.y += GAP
     field = pygame.Rect(0, card.y, width, pen.px(HEIGHT))
     value = session.values[chosen.parameter] if mouse is None else mouse.at
     span = span_of(pen, width, session.level, chosen)
-    card.put(plot.draw(pen, field.size, list(_series(exploring.points)), span, value), 0)
+    series = list(_series(exploring.points))
+    up = plot.vertical_scale(pen, field.height, [each.y for each in series], EQUAL)
+    card.put(plot.draw(pen, field.size, series, span, value, up), 0)
     card.y += pen.px(HEIGHT) + 2
     across = named(session.level, chosen.parameter, session.level.parameters[chosen.parameter].unit)
     card.text(say("against {quantity}", quantity=across), 12, theme.DIM)
@@ -93,20 +100,46 @@ def _series(points: Sequence[Point]) -> Iterator[Series]:
             yield Series(color, at, values, dashed=dashed, marked=not dashed)
 
 
-def _point_text(card: TextColumn, level: Level, chosen: CurveChoice, point: Point | None) -> None:
-    """Add the result of a run in numbers."""
+def _point_text(
+    card: TextColumn,
+    level: Level,
+    chosen: CurveChoice,
+    points: Sequence[Point],
+    point: Point | None,
+) -> None:
+    """Add the result of a run in numbers.
+
+    It gets as many lines as the longest of all results, so that the curve stays where it is while
+    the mouse moves over it.
+    """
+    hint, top, unit = say(HINT), card.y, level.parameters[chosen.parameter].unit
+    lines = _most_lines(card.pen, card.width, hint, chosen.parameter, unit, tuple(points))
     if point is None:
-        card.text(say(HINT), 12, theme.DIM)
-        return
-    value = formatting.quantity(point.at, level.parameters[chosen.parameter].unit, 4)
+        card.text(hint, 12, theme.DIM)
+    else:
+        card.text(_result(chosen.parameter, unit, point), 12, theme.NOTICE)
+    card.y = max(card.y, top + lines * card.pen.write(hint, 12).height)
+
+
+@lru_cache(maxsize=4)
+def _most_lines(
+    pen: Pen, width: int, hint: str, parameter: str, unit: str, points: tuple[Point, ...]
+) -> int:
+    """Return the largest number of lines of the hint and the results; counting them takes 4 ms."""
+    texts = hint, *(_result(parameter, unit, each) for each in points)
+    return max(len(pen.wrap(text, width, 12)) for text in texts)
+
+
+def _result(parameter: str, unit: str, point: Point) -> str:
+    """Return the result of a run in words."""
+    value = formatting.quantity(point.at, unit, 4)
     if point.measured is None:
-        reason = say(point.failure or DID_NOT_HAPPEN)
-        card.text(f"{chosen.parameter} = {value}: {reason}", 12, theme.NOTICE)
-        return
-    message = f"{chosen.parameter} = {value}: {formatting.number(point.measured, 5)}"
+        return f"{parameter} = {value}: {say(point.failure or DID_NOT_HAPPEN)}"
+    message = f"{parameter} = {value}: {formatting.number(point.measured, DIGITS)}"
     if point.expected is not None:
-        message += say(", closed form {value}", value=formatting.number(point.expected, 5))
-    card.text(message, 12, theme.NOTICE)
+        closed = formatting.number(point.expected, DIGITS)
+        message += say(", closed form {value}", value=closed)
+    return message
 
 
 def named(level: Level, name: str, unit: str = "") -> str:

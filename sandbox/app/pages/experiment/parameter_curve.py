@@ -7,6 +7,7 @@ from sandbox.app.pages.experiment.background_parameter_sweep import (
     COUNT,
     Point,
     SamplingRefusal,
+    count_values,
     sample,
 )
 from sandbox.app.pages.graph.chosen_quantities import offered
@@ -39,13 +40,13 @@ class CurveWorker(BackgroundTask):
         """The points so far, in the order of the parameter."""
         self.failure: Message = NOTHING
         """The reason why there are no more runs; empty if there is none."""
-        self._waited, self._begun = 0.0, False
+        self._waited, self._begun, self._count = 0.0, False, COUNT
         self.news = object()
 
     @property
     def share(self) -> float:
         """The share of the curve that is computed."""
-        return len(self.points) / COUNT
+        return len(self.points) / self._count
 
     def chosen(self, session: Session) -> CurveChoice | None:
         """Return the chosen curve, at first a suggested one; None without parameters."""
@@ -81,6 +82,7 @@ class CurveWorker(BackgroundTask):
         self._waited += seconds
         if watched and chosen and not (self._begun or session.waiting) and self._waited > PATIENCE:
             self._begun = True
+            self._count = count_values(session.resolved, chosen.parameter)
             self._work.start(sample, session.resolved, session.values, *chosen)
             self.news = object()
         self._collect_results()

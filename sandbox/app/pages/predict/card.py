@@ -68,7 +68,7 @@ def refusal_text(pen: Pen, width: int, refusal: str) -> pygame.Surface:
     if refusal:
         card.text(say(refusal), 13, theme.FAILED)
     else:
-        card.text(say("Press Enter to run it."), 12, theme.DIM)
+        card.text(say("Press Enter or Play to run it."), 12, theme.DIM)
     return card.drawn()
 
 

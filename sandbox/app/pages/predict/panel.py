@@ -1,7 +1,7 @@
 """The page Predict: the question, a field for the answer, and the result."""
 
 import pygame
-from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
+from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_CHANGED, UI_TEXT_ENTRY_FINISHED
 from pygame_gui.elements import UIButton, UIImage, UISelectionList
 
 from sandbox.app.drawing import theme
@@ -62,6 +62,9 @@ class PredictPage:
     def process(self, event: pygame.event.Event) -> str | None:
         """Ask the chosen question, accept the typed answer, or start over."""
         predicting = self._predicting
+        if event.type == UI_TEXT_ENTRY_CHANGED and event.ui_element is self.field:
+            predicting.typed = self.field.get_text()
+            return None
         if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is self.field:
             if not self._open:
                 return None

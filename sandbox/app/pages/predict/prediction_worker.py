@@ -37,6 +37,8 @@ class PredictionWorker(BackgroundTask):
         self.question: Check | None = None
         self.predicted: float | None = None
         """The answer in SI units; None while it is awaited."""
+        self.typed = ""
+        """The text in the field for the answer, which pressing Play submits."""
         self.refusal: Message = NOTHING
         """The reason why the typed text is no answer; empty if there is none."""
         self.outcome: Outcome | None = None
@@ -133,9 +135,12 @@ class PredictionWorker(BackgroundTask):
             self._world = session.world
         else:
             self._lock(session, question)
-        if session.playing:
-            session.playing = False
+        if not session.playing:
+            return None
+        session.playing = False
+        if not self.typed.strip():
             return say(FIRST)
+        self.answer(session, self.typed)
         return None
 
     def _judge(self, session: Session) -> None:
