@@ -70,10 +70,11 @@ soak: $(FOR_TEST) ## hours of the window by random events, and of levels: memory
 	$(PY) -m tests.endurance.window --events $(EVENTS) --seed $(SEED)
 	$(PY) -m tests.endurance.levels --steps $(STEPS)
 
-faults: $(FOR_TEST) ## every typo and every spoilt file is answered, every killed command leaves whole files
+faults: $(FOR_TEST) ## every typo, spoilt file and fault of what surrounds a command is answered, killed ones leave whole files
 	$(PY) -m tests.endurance.typos --seed $(SEED)
 	$(PY) -m tests.endurance.kills --count $(KILLS) --seed $(SEED)
 	$(PY) -m tests.endurance.files --seed $(SEED)
+	$(PY) -m tests.endurance.faults --seed $(SEED)
 
 lock: $(FOR_TEST) ## write requirements.lock anew: the versions that development is tried with
 	.ci/lock $(PY)

@@ -5,7 +5,7 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from typing import NoReturn
+from typing import Literal, NoReturn
 
 FAILED = 1
 UNHEARD = 141
@@ -65,7 +65,14 @@ def _give_up(stream: io.TextIOWrapper) -> None:
 
 
 def install() -> None:
-    """Keep errors of the standard streams from causing tracebacks or losing results."""
+    """Keep errors of the standard streams from causing tracebacks or losing results.
+
+    A stream that is closed becomes the null device: the next file that is opened would get its
+    number, and what a library prints.
+    """
+    sys.stdin = sys.stdin or _null("r")
+    sys.stdout = sys.stdout or _null("w")
+    sys.stderr = sys.stderr or _null("w")
     out, remarks = sys.stdout, sys.stderr
     if isinstance(out, io.TextIOWrapper):
         buffering, encoding = out.line_buffering, out.encoding
@@ -73,6 +80,11 @@ def install() -> None:
     if isinstance(remarks, io.TextIOWrapper):
         encoding = remarks.encoding
         sys.stderr = Remarks(remarks.detach(), encoding, "replace", line_buffering=True)
+
+
+def _null(mode: Literal["r", "w"]) -> io.TextIOWrapper:
+    """Return the null device, which stays open as long as the process lives."""
+    return open(os.open(os.devnull, os.O_RDWR), mode, encoding="utf-8", closefd=False)
 
 
 @contextmanager
@@ -92,8 +104,7 @@ def standard() -> Iterator[None]:
             raise error.__cause__ from None
         raise
     finally:
-        if sys.stdout is not None:
-            sys.stdout.flush()
+        sys.stdout.flush()
 
 
 def complain(message: str) -> None:

@@ -9,7 +9,7 @@ from inspect import currentframe
 import pymunk
 import pytest
 
-from sandbox import interrupts, standard_streams
+from sandbox import interrupts, program, standard_streams
 from sandbox.cli import main
 from sandbox.model.errors import SandboxError
 
@@ -39,6 +39,24 @@ def test_ctrl_c_within_a_class_statement_exits_as_well() -> None:
         type("Made", (), {"named": Named()})
 
     assert exit_.value.code == interrupts.INTERRUPTED
+
+
+def test_a_signal_that_became_an_error_of_a_library_exits_as_well(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Pydantic does that while it makes a class for a model."""
+    monkeypatch.setattr(standard_streams, "install", lambda: None)
+
+    def built() -> None:
+        try:
+            signal.raise_signal(signal.SIGTERM)
+        except SystemExit:
+            raise ValueError("Error building a validator") from None
+
+    with pytest.raises(SystemExit) as exit_, program.started():
+        built()
+
+    assert exit_.value.code == interrupts.ENDED
 
 
 @pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])

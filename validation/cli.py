@@ -14,7 +14,7 @@ import typer
 from sandbox import interrupts
 from sandbox.model import level_catalog
 from sandbox.model.atomic_file_access import check_writable
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import MisuseError, SandboxError, brief
 from sandbox.optional_packages import needed_for
 from validation import case_suite, output
 from validation.case import Case
@@ -100,10 +100,16 @@ def run(
 def of_levels(names: Sequence[str]) -> list[Case]:
     """Return the cases of some levels, all cases if there are no names.
 
-    Raises `SandboxError` if there is no such level.
+    Raises `SandboxError` if there is no such level, or no case is about it.
     """
-    chosen = {level_catalog.find(name) for name in names}
-    return [case for case in all_cases() if not chosen or level_catalog.find(case.level) in chosen]
+    cases = list(all_cases())
+    chosen = {level_catalog.find(name): name for name in names}
+    found = [case for case in cases if not chosen or level_catalog.find(case.level) in chosen]
+    for path in {level_catalog.find(case.level) for case in found}:
+        chosen.pop(path, None)
+    for name in chosen.values():
+        raise MisuseError("{name}: no case is about this level", name=brief(name))
+    return found
 
 
 @command

@@ -8,6 +8,7 @@ import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
+from sandbox import program
 from sandbox.model import level_catalog
 from sandbox.model.atomic_file_access import generate, write_atomically
 from sandbox.model.loading import load
@@ -79,4 +80,5 @@ def _write() -> list[Path]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    with program.started():
+        sys.exit(main())

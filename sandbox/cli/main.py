@@ -12,7 +12,7 @@ from sandbox.model.errors import SandboxError
 def main() -> None:
     """Run the command line and exit with its status.
 
-    0: all is well, 1: a check, a level or the writing of a file failed, 2: wrong usage.
+    0: all is well, 1: a check, a level, or reading or writing a file failed, 2: wrong usage.
     """
     try:
         app()

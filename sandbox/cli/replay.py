@@ -1,5 +1,6 @@
 """`replay`: a saved run, repeated."""
 
+import os
 from pathlib import Path
 
 import typer
@@ -11,7 +12,7 @@ from sandbox.physics.measuring.grading import grade
 
 def replay(path: Path) -> int:
     """Repeat a run, print whether it is identical bit by bit, and return the exit status."""
-    if not path.is_file():
+    if not os.path.lexists(path):
         raise argument_parsing.UsageError(f"{path}: there is no such file")
     run = run_file.read(path)
     session = run_file.replay(run)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 import pydantic_core
 
+from sandbox import program
 from sandbox.app.translatable_texts import has_words, shown_keys, words
 from sandbox.app.words import language, level_translation
 from sandbox.app.words.level_translation import words_of_name
@@ -148,4 +149,5 @@ def merged(path: Path, name: str, template: "Catalog") -> "Catalog":
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    with program.started():
+        sys.exit(main())

@@ -12,6 +12,7 @@ from typing import Any
 
 import typer
 
+from sandbox import program
 from sandbox.cli.commands import app
 from sandbox.model import joints, level_catalog, quantities
 from sandbox.model.atomic_file_access import generate, write_atomically
@@ -57,8 +58,9 @@ COMMANDS = """\
 # Commands
 
 `python -m sandbox COMMAND --help` says the same. Exit status: 0 if all is well, 1 if a check, a
-level or the writing of a file failed, 2 for wrong usage. [Validation](../explanation/validation.md)
-has the commands of `python -m validation`. This page is written by `make docs`."""
+level, or reading or writing a file failed, 2 for wrong usage.
+[Validation](../explanation/validation.md) has the commands of
+`python -m validation`. This page is written by `make docs`."""
 
 SAMPLE = """{
   "format": 1, "title": "Sample", "duration": 1, "effects": {"contact": {}},
@@ -239,4 +241,5 @@ def _write() -> Iterator[Path]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    with program.started():
+        sys.exit(main())

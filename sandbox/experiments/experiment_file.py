@@ -13,13 +13,13 @@ from pydantic_core import ErrorDetails
 
 from sandbox.experiments.random_points import Method
 from sandbox.model import parser_error_messages
-from sandbox.model.atomic_file_access import read_ordinary
 from sandbox.model.base import Model, Name
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.expression_compiler import MAX_LENGTH
-from sandbox.model.json_document import Document, refuse
+from sandbox.model.json_document import Document
 from sandbox.model.level_parts import Fault
+from sandbox.model.loading import read as read_text
 from sandbox.model.number_bounds import Finite
 from sandbox.model.translatable_message import Message
 
@@ -83,19 +83,8 @@ def load(path: Path) -> Experiment:
 
 def read(path: Path) -> tuple[Experiment, Document]:
     """Return an experiment and its text, which locates mistakes; see `load`."""
-    source = str(path)
-    try:
-        content = read_ordinary(path, MAX_BYTES)
-        if content is None:
-            refuse(
-                source, "is not an ordinary file, or larger than {most} kB", most=MAX_BYTES // 1000
-            )
-        text = content.decode("utf-8-sig")
-    except OSError as error:
-        refuse(source, "cannot be read: {reason}", reason=error.strerror or error)
-    except UnicodeDecodeError:
-        refuse(source, "is not UTF-8 text")
-    document = Document(text, source)
+    text = read_text(path, MAX_BYTES)
+    document = Document(text, str(path))
     data = document.read()
     try:
         return Experiment.model_validate_json(text), document

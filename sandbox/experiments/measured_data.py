@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from sandbox.model.atomic_file_access import read_ordinary
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Array
+from sandbox.model.file_reading import UnreadableError, read_named
 from sandbox.model.level import Level
 from sandbox.model.quantities import QuantityError, quantity
 
@@ -70,19 +70,9 @@ def read(path: Path, level: Level) -> Data:
 
 def _lines(path: Path) -> list[str]:
     try:
-        content = read_ordinary(path, MAX_BYTES)
-    except OSError as error:
-        raise DataError(
-            "{path}: cannot be read: {reason}", path=path, reason=error.strerror or error
-        ) from error
-    if content is None:
-        raise DataError(
-            "{path}: is not an ordinary file, or larger than {most} MB",
-            path=path,
-            most=MAX_BYTES // 10**6,
-        )
-    try:
-        return content.decode("utf-8-sig").splitlines()
+        return read_named(path, MAX_BYTES).decode("utf-8-sig").splitlines()
+    except UnreadableError as error:
+        raise DataError("{path}: {reason}", path=path, reason=error.message) from error
     except UnicodeDecodeError as error:
         raise DataError("{path}: is not UTF-8 text", path=path) from error
 

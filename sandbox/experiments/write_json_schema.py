@@ -7,11 +7,11 @@ import json
 import sys
 from pathlib import Path
 
+from sandbox import program
 from sandbox.experiments import catalog
 from sandbox.experiments.experiment_file import Experiment
 from sandbox.model import write_json_schema as levels
-from sandbox.model.atomic_file_access import write_atomically
-from sandbox.model.errors import SandboxError
+from sandbox.model.atomic_file_access import generate, write_atomically
 from sandbox.model.level_catalog import sources
 
 
@@ -32,7 +32,5 @@ def write() -> Path:
 
 
 if __name__ == "__main__":
-    try:
-        sys.stdout.write(f"{write()}\n")
-    except SandboxError as error:
-        sys.exit(str(error))
+    with program.started():
+        sys.exit(generate(lambda: [write()]))

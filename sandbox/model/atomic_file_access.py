@@ -45,7 +45,7 @@ def write_atomically(
     """
     if new and os.path.lexists(path):
         raise _taken(path)
-    check_writable(path)
+    check_writable(path, follow=follow)
     target = Path(os.path.realpath(path)) if follow else path
     _sweep(target.parent)
     beside = target.with_name(f".{_machine()}-{os.getpid()}-{uuid4().hex}.part")
@@ -155,20 +155,18 @@ def lives(process: int) -> bool:
     return True
 
 
-def check_writable(path: Path) -> None:
+def check_writable(path: Path, *, follow: bool = True) -> None:
     """Refuse a path that cannot be written, as far as can be found out without writing.
 
-    Raises `MisuseError` if the path is not a file, or its folder is missing or read-only.
+    For `follow` see `write_atomically`. Raises `MisuseError` if the path is not a file, or its
+    folder is missing or read-only.
     """
     try:
         target = os.path.realpath(path)
     except FileNotFoundError:  # part of the path is a file
         raise _refusal(path, Message("the working folder no longer exists")) from None
     folder = os.path.dirname(target)
-    if os.path.isdir(target):
-        raise _refusal(path, Message("it is a folder"))
-    if os.path.exists(path) and not os.path.isfile(path):  # a pipe's link leads to no path
-        raise _refusal(path, Message("it is not an ordinary file"))
+    _check_kind(path, target, follow=follow)
     shown = folder if os.path.islink(path) else path.parent
     if not os.path.exists(folder):
         raise _refusal(path, Message("there is no folder {folder}", folder=shown))
@@ -178,6 +176,16 @@ def check_writable(path: Path) -> None:
         raise _refusal(path, Message("the folder {folder} is read-only", folder=shown))
     if os.path.exists(target) and not os.access(target, os.W_OK):
         raise _refusal(path, Message("it exists and is read-only"))
+
+
+def _check_kind(path: Path, target: str, *, follow: bool) -> None:
+    """Refuse a path, which leads to a target, if something else than a file is there."""
+    if os.path.isdir(target):
+        raise _refusal(path, Message("it is a folder"))
+    if os.path.exists(path) and not os.path.isfile(path):  # a pipe's link leads to no path
+        raise _refusal(path, Message("it is not an ordinary file"))
+    if follow and os.path.islink(target):  # the end of a chain of links is none
+        raise _refusal(path, Message("its links lead in a circle"))
 
 
 def make_folder(folder: Path) -> None:

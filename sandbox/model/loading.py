@@ -21,6 +21,7 @@ from sandbox.model.did_you_mean import did_you_mean
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
 from sandbox.model.expression_compiler import MAX_LENGTH
 from sandbox.model.expressions import Values
+from sandbox.model.file_reading import UnreadableError, read_named
 from sandbox.model.json_document import Document, refuse
 from sandbox.model.json_positions import Origin, position
 from sandbox.model.json_positions import Path as Place
@@ -55,22 +56,17 @@ def load(path: Path) -> Level:
     return parse(read(path), str(path))
 
 
-def read(path: Path) -> str:
+def read(path: Path, largest: int = MAX_BYTES) -> str:
     """Return the text of a file; raise `LevelError` if it is unreadable, too large, or not text."""
-    return decoded(content(path), str(path))
+    return decoded(content(path, largest), str(path))
 
 
-def content(path: Path) -> bytes:
-    """Return the bytes of a level's file; raise `LevelError` if it is unreadable or too large."""
-    source = str(path)
+def content(path: Path, largest: int = MAX_BYTES) -> bytes:
+    """Return the bytes of a file; raise `LevelError` if it is unreadable or too large."""
     try:
-        return _content(path, source)
-    except (FileNotFoundError, NotADirectoryError):
-        link = Message("is a link to a file that does not exist")
-        refuse(source, link if path.is_symlink() else Message("there is no such file"))
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        refuse(source, "cannot be read: {reason}", reason=reason)
+        return read_named(path, largest)
+    except UnreadableError as error:
+        refuse(str(path), error.message)
 
 
 def decoded(held: bytes, source: str) -> str:
@@ -220,16 +216,6 @@ def _range(parameter: Parameter) -> Message:
     return Message(
         "between {least:g} and {most:g}{unit}", least=parameter.min, most=parameter.max, unit=unit
     )
-
-
-def _content(path: Path, source: str) -> bytes:
-    if path.is_dir():
-        refuse(source, "is a folder, not a file")
-    if path.exists() and not path.is_file():
-        refuse(source, "is not an ordinary file")  # reading a device might never end
-    if path.stat().st_size > MAX_BYTES:
-        refuse(source, "the file is larger than {most} kB", most=MAX_BYTES // 1000)
-    return path.read_bytes()
 
 
 def _refuse_json(document: Document, what: str, *, typed: bool) -> NoReturn:

@@ -12,6 +12,7 @@ from typing import Any
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema, to_jsonable_python
 
+from sandbox import program
 from sandbox.model import level_catalog
 from sandbox.model.atomic_file_access import generate, write_atomically
 from sandbox.model.base import Model
@@ -135,4 +136,5 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    with program.started():
+        sys.exit(main())

@@ -1,6 +1,10 @@
 """`replay`: a saved run is repeated."""
 
+import os
+from collections.abc import Callable, Mapping
 from pathlib import Path
+
+import pytest
 
 from sandbox.app.runs import run_file
 from tests.app.scenes import opened
@@ -35,3 +39,29 @@ def test_a_file_that_is_none_is_wrong_usage(run: Run, tmp_path: Path) -> None:
 
     assert outcome.status == 2
     assert "there is no such file" in outcome.err
+
+
+ODD: Mapping[str, Callable[[Path], object]] = {
+    "is not an ordinary file": os.mkfifo if hasattr(os, "mkfifo") else Path.touch,
+    "is a folder, not a file": Path.mkdir,
+    "is a link to a file that does not exist": lambda path: path.symlink_to("nowhere"),
+}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+@pytest.mark.parametrize("told", ODD)
+def test_what_is_no_file_is_not_said_to_be_absent(run: Run, tmp_path: Path, told: str) -> None:
+    ODD[told](path := tmp_path / "odd.run.json")
+
+    outcome = run("replay", str(path))
+
+    assert outcome.status == 1
+    assert outcome.err == f"{path}: {told}\n"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_a_link_to_a_run_is_followed(run: Run, tmp_path: Path) -> None:
+    run_file.save(run_file.run_of(opened("newton/atwood", 40)), tmp_path / "run.json")
+    (tmp_path / "link.json").symlink_to("run.json")
+
+    assert run("replay", str(tmp_path / "link.json")).status == 0

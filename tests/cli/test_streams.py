@@ -82,6 +82,21 @@ def test_what_was_measured_is_written_even_if_nobody_reads_of_it(
     assert (tmp_path / file).stat().st_size > 0
 
 
+def test_no_file_gets_the_number_of_a_closed_stream(tmp_path: Path) -> None:
+    """What a library prints would be written into it."""
+    code = (
+        "import os, sys; from sandbox import standard_streams; standard_streams.install();"
+        " file = open('out.txt', 'w'); os.write(1, b'printed'); os.write(2, b'printed');"
+        " file.write(f'{file.fileno()}')"
+    )
+    python = f"PYTHONPATH={shlex.quote(str(ROOT))} {shlex.quote(sys.executable)}"
+
+    done = shell(f"{python} -c {shlex.quote(code)} <&- >&- 2>&-", tmp_path)
+
+    assert done.returncode == 0
+    assert int((tmp_path / "out.txt").read_text()) > 2
+
+
 @pytest.mark.sweep
 def test_a_closed_output_is_no_failure() -> None:
     done = shell("SANDBOX check newton/atwood >&-")

@@ -39,13 +39,13 @@ from sandbox.model.loading import load
 from sandbox.model.translatable_message import Message
 from sandbox.physics.accuracy.calibration_cache import calibrated
 from tests.elsewhere import move_home
+from tests.endurance.sessions import lingering
 from validation import cases, cli
 from validation.report import command, measurements  # noqa: F401 (as above)
 
 LEVEL = "newton/atwood"
 FEW = (LEVEL, "newton/incline", "kinematics/free-fall")
 LENGTHS = ("0.5", "1")  # s, of runs that take turns
-LINGERS = 10.0  # s, within which what a killed process has started must end
 EVERY = 50
 
 
@@ -201,25 +201,6 @@ class Workplace:
     def parts(self) -> list[Path]:
         """Return the unfinished files."""
         return list(self.folder.rglob(".*.part"))
-
-
-def alive(session: int) -> list[int]:
-    """Return the processes that a process has started and that still run; Linux only."""
-    found = []
-    for place in Path("/proc").glob("[0-9]*/stat"):
-        with suppress(OSError):
-            state, _, _, of, *_ = place.read_text().rpartition(")")[2].split()
-            if int(of) == session and state != "Z":
-                found.append(int(place.parent.name))
-    return found
-
-
-def lingering(session: int) -> list[int]:
-    """Return which of them have not ended in time."""
-    end = monotonic() + LINGERS
-    while (left := alive(session)) and monotonic() < end:
-        sleep(0.01)
-    return left
 
 
 def main(count: int = 1000, seed: int = 0) -> None:

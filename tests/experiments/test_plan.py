@@ -85,12 +85,21 @@ def test_an_unknown_level_is_a_mistake_of_the_file(tmp_path: Path) -> None:
         catalog.open_plan(path)
 
 
-@pytest.mark.parametrize("odd", ["pipe", "circle", "nowhere"])
-def test_what_is_no_ordinary_file_is_not_said_to_be_absent(tmp_path: Path, odd: str) -> None:
+@pytest.mark.parametrize(
+    ("odd", "told"),
+    [
+        ("pipe", "is not an ordinary file"),
+        ("circle", "cannot be read"),
+        ("nowhere", "is a link to a file that does not exist"),
+    ],
+)
+def test_what_is_no_ordinary_file_is_not_said_to_be_absent(
+    tmp_path: Path, odd: str, told: str
+) -> None:
     path = tmp_path / "mine.json"
     if odd == "pipe":
         os.mkfifo(path)
     else:
         path.symlink_to(path if odd == "circle" else tmp_path / "nothing")
-    with pytest.raises(LevelError, match="is not an ordinary file"):
+    with pytest.raises(LevelError, match=told):
         catalog.open_plan(catalog.find(str(path)))

@@ -228,8 +228,8 @@ def test_of_two_who_make_one_file_the_first_has_it(
     """Looking first and then writing would overwrite a file made in between."""
     path, check = tmp_path / "file", check_writable
 
-    def overtaken(path: Path) -> None:
-        check(path)
+    def overtaken(path: Path, **how: bool) -> None:
+        check(path, **how)
         path.write_text("theirs")
 
     monkeypatch.setattr(atomic_file_access, "check_writable", overtaken)
@@ -249,6 +249,18 @@ def test_a_new_file_is_written_where_nothing_is(tmp_path: Path) -> None:
     write_atomically(tmp_path / "file", "new", new=True)
 
     assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("file", "new")]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_links_in_a_circle_lead_to_no_file(tmp_path: Path) -> None:
+    """One of them was replaced by the file."""
+    (tmp_path / "one").symlink_to("other")
+    (tmp_path / "other").symlink_to("one")
+
+    with pytest.raises(MisuseError, match="its links lead in a circle"):
+        write_atomically(tmp_path / "one", "new")
+
+    assert (tmp_path / "one").is_symlink()
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/fd"), reason="there are no paths of open files here")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from tests.cli.helpers import fall
 from validation import case_suite, cli, output
 from validation.case import Case, Outcome, run
 from validation.case_loading import read
@@ -60,6 +61,16 @@ def test_a_level_that_does_not_exist_is_told_with_what_was_meant() -> None:
 
     assert result.exit_code == 1
     assert "free-fall" in result.output
+
+
+def test_a_level_that_no_case_is_about_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "mine.json"
+    path.write_text(json.dumps(fall()), encoding="utf-8")
+
+    result = CliRunner().invoke(cli.app, ["run", str(path), "kinematics/free-fall"])
+
+    assert result.exit_code == 2
+    assert "no case is about this level" in result.output
 
 
 def test_a_missed_bound_is_exit_status_1(monkeypatch: pytest.MonkeyPatch) -> None:

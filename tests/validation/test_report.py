@@ -249,12 +249,26 @@ def test_a_pipe_in_the_place_of_a_part_is_not_waited_for(folder: Path, tmp_path:
     assert "missing: cost" in done.stderr
 
 
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_a_broken_link_in_the_place_of_a_part_is_told(folder: Path, tmp_path: Path) -> None:
+    """It was measured anew, for minutes."""
+    source = broken(folder, tmp_path, "{}")
+    (source / "cost.json").unlink()
+    (source / "cost.json").symlink_to("nowhere")
+
+    done = write("--quick", "--from", source, "--output", tmp_path / "out")
+
+    assert done.exit_code == 1
+    assert "cost.json: is a link to a file that does not exist" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("content", "reason"),
     [
         ("{", "cannot read"),
         ("[]", "is not what"),
         ("{}", "in another form"),
+        ('{"levels": [], "requests": []}', "in another form"),
         ('{"environment": {}, "levels": [{"level": "x"}]}', "in another form"),
     ],
 )

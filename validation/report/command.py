@@ -1,5 +1,6 @@
 """`python -m validation report`."""
 
+import os
 import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -10,7 +11,6 @@ from rich.console import Console
 
 from sandbox.model.atomic_file_access import check_writable, folder_of_files, write_atomically
 from sandbox.model.errors import MisuseError, SandboxError
-from sandbox.model.translatable_message import Message
 from sandbox.reporting import plot_style
 from validation.output import save
 from validation.report import measurements, page
@@ -31,8 +31,8 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
     cases, levels and repetitions are measured. Raises `SandboxError` if the folder cannot be
     written, or there is nothing to read; what was measured is then stored elsewhere.
     """
-    if source and not source.is_dir():
-        raise MisuseError(Message("cannot read {source}: there is no such folder", source=source))
+    if source:
+        _check_readable(source)
     contents: Contents = {}
     with folder_of_files(output), _rescued(contents):
         for name in (PAGE, *(f"{part.command}.json" for part in measurements.PARTS)):
@@ -48,6 +48,16 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
     for command, reason in found.failures.items():
         typer.echo(f"missing: {command}: {reason}", err=True)
     return found.passed
+
+
+def _check_readable(folder: Path) -> None:
+    """Refuse what is no folder, or a locked one: its files would be measured anew."""
+    try:
+        os.stat(os.path.join(folder, "."))
+    except OSError as error:
+        raise MisuseError(
+            "cannot read {folder}: {reason}", folder=folder, reason=error.strerror
+        ) from error
 
 
 def _collected(

@@ -1,6 +1,7 @@
 """The parts of a report: the measurements of other commands, in the form of their JSON files."""
 
 import json
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from math import inf, nan
@@ -10,8 +11,8 @@ from typing import Any, TypeVar
 from pydantic import TypeAdapter, ValidationError
 
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import read_ordinary, without_links
 from sandbox.model.errors import SandboxError
+from sandbox.model.file_reading import UnreadableError, read_named
 from validation import case_suite, output
 from validation.case import Case, Outcome
 from validation.case_loading import read
@@ -38,7 +39,7 @@ SAMPLE = (
 """The levels for which a quick report shows the cost of accuracy."""
 
 LARGEST = 100_000_000
-"""The largest file that is read [bytes]; anything but an ordinary file may never end."""
+"""The largest file that is read [bytes]."""
 
 HARD = (
     "a cradle of five, 1 in, gap 0 m",
@@ -109,12 +110,13 @@ def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
     Raises `SandboxError` if it cannot be read or measured.
     """
     file = source / f"{part.command}.json" if source else None
-    if file is None or not file.exists():
+    if file is None or not os.path.lexists(file):
         return part.measure(quick)
     try:
-        text = read_ordinary(without_links(file), LARGEST)
-        content = None if text is None else json.loads(text)
-    except (OSError, ValueError, RecursionError) as error:
+        content = json.loads(read_named(file, LARGEST))
+    except UnreadableError as error:
+        raise SandboxError("{file}: {reason}", file=file, reason=error.message) from error
+    except (ValueError, RecursionError) as error:
         raise SandboxError("cannot read {file}: {error}", file=file, error=str(error)) from error
     if not isinstance(content, dict):
         raise SandboxError(
@@ -125,14 +127,19 @@ def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
     return content
 
 
+def environment(content: Content) -> dict[str, str]:
+    """Return what was measured with; raise `SandboxError` if the content has another form."""
+    return _validated(TypeAdapter(dict[str, str]), content.get("environment"))
+
+
 def outcomes(content: Content) -> list[Outcome]:
-    """Return the cases of `run`; raise `SandboxError` if the content has another form."""
+    """Return the cases of `run`; raise as `environment` does."""
     rows = [_filled(row, error=inf, naive_error=inf) for row in _rows(content, "cases")]
     return _validated(TypeAdapter(list[Outcome]), rows)
 
 
 def sweeps(content: Content) -> list[Sweep]:
-    """Return the levels of `validation cost`; raise as `outcomes` does."""
+    """Return the levels of `validation cost`; raise as `environment` does."""
     rows = [
         {
             **row,
@@ -145,7 +152,7 @@ def sweeps(content: Content) -> list[Sweep]:
 
 
 def requests(content: Content) -> list[Request]:
-    """Return the requests of `validation cost`; raise as `outcomes` does."""
+    """Return the requests of `validation cost`; raise as `environment` does."""
     known = {field.name for field in fields(Request)}
     rows = [
         _filled({name: value for name, value in row.items() if name in known}, cheapest=inf)
@@ -155,23 +162,23 @@ def requests(content: Content) -> list[Request]:
 
 
 def hard_cases(content: Content) -> list[Hard]:
-    """Return the outcomes of `validation stability`; raise as `outcomes` does."""
+    """Return the outcomes of `validation stability`; raise as `environment` does."""
     rows = [_filled(row, figure=inf) for row in _rows(content, "cases")]
     return _validated(TypeAdapter(list[Hard]), rows)
 
 
 def level_costs(content: Content) -> list[LevelCost]:
-    """Return the levels of `validation effects`; raise as `outcomes` does."""
+    """Return the levels of `validation effects`; raise as `environment` does."""
     return _validated(TypeAdapter(list[LevelCost]), _rows(content, "levels"))
 
 
 def effect_costs(content: Content) -> list[EffectCost]:
-    """Return the effects of `validation effects`; raise as `outcomes` does."""
+    """Return the effects of `validation effects`; raise as `environment` does."""
     return _validated(TypeAdapter(list[EffectCost]), _rows(content, "costs"))
 
 
 def growths(content: Content) -> list[Growth]:
-    """Return the crowds of `validation effects`; raise as `outcomes` does."""
+    """Return the crowds of `validation effects`; raise as `environment` does."""
     return _validated(TypeAdapter(list[Growth]), _rows(content, "growth"))
 
 

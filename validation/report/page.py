@@ -67,8 +67,9 @@ def report(contents: Mapping[str, measurements.Content | SandboxError], *, quick
         try:
             if isinstance(content, SandboxError):
                 raise content
+            environment = measurements.environment(content)
             _ADDED[command](found, content)
-            found.environments[command] = content["environment"]
+            found.environments[command] = environment
         except SandboxError as error:
             found.failures[command] = str(error)
     return found

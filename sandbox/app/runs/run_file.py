@@ -12,9 +12,10 @@ from pydantic_core import ErrorDetails
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model import parser_error_messages
-from sandbox.model.atomic_file_access import read_ordinary, write_atomically
+from sandbox.model.atomic_file_access import write_atomically
 from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.file_reading import UnreadableError, read_named
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, parse
@@ -133,17 +134,9 @@ def read(path: Path) -> Run:
     Raises `SandboxError` if the file cannot be read, or is not a run file.
     """
     try:
-        content = read_ordinary(path, LARGEST)
-    except OSError as error:
-        raise SandboxError(
-            "cannot read {path}: {reason}", path=path, reason=error.strerror
-        ) from error
-    if content is None:
-        raise SandboxError(
-            "cannot read {path}: it is no ordinary file, or larger than 100 MB", path=path
-        )
-    try:
-        return Run.model_validate_json(content)
+        return Run.model_validate_json(read_named(path, LARGEST))
+    except UnreadableError as error:
+        raise SandboxError("{path}: {reason}", path=path, reason=error.message) from error
     except ValidationError as error:
         place, reason = _mistake(error.errors(include_url=False)[0])
         raise SandboxError(

@@ -34,8 +34,8 @@ def start(context: typer.Context) -> None:
 
     Without a command, the sandbox opens its window.
 
-    Exit status: 0 if all is well, 1 if a check, a level or the writing of a file failed, 2 for
-    wrong usage.
+    Exit status: 0 if all is well, 1 if a check, a level, or reading or writing a file failed, 2
+    for wrong usage.
     """
     if context.invoked_subcommand is None:
         with uncollected():

@@ -6,13 +6,16 @@ import typer
 
 
 def argument(metavar: str, text: str) -> Any:  # noqa: ANN401 (typer's own type)
-    """Return an argument; if it can be left out, its help says what that means."""
-    return typer.Argument(metavar=metavar, help=text, show_default=False)
+    """Return an argument; if it can be left out, its help says what that means.
+
+    Whoever reads a file says better than typer why it cannot be read.
+    """
+    return typer.Argument(metavar=metavar, help=text, show_default=False, readable=False)
 
 
 def option(metavar: str, text: str, *names: str) -> Any:  # noqa: ANN401 (typer's own type)
-    """Return an option with a value; if it can be left out, its help says what that means."""
-    return typer.Option(*names, metavar=metavar, help=text, show_default=False)
+    """Return an option with a value, as `argument` does."""
+    return typer.Option(*names, metavar=metavar, help=text, show_default=False, readable=False)
 
 
 LevelsArgument = Annotated[list[str], argument("LEVEL", "Names of levels, or paths of files.")]
