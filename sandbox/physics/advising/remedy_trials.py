@@ -296,7 +296,11 @@ def _attempt(
         return _Trial(description, rate, world.t if world else 0.0, has_stopped=True)
     t = world.t if world else 0.0
     return _Trial(
-        description, rate, t, is_complete=is_complete, is_slow=not is_complete and t < PAST * before
+        description,
+        rate,
+        t,
+        is_complete=is_complete,
+        is_slow=not is_complete and t <= PAST * before,
     )
 
 
