@@ -34,11 +34,11 @@ from sandbox.physics.stepping.world import World
 
 DIRECT = Message('with "contact": {"solver": "direct"}')
 
-SECONDS = 1.0
-"""s of processor time for all trials, so that a busy machine finds the same: a user waits."""
+SECONDS = 4.0
+"""s of processor time for all trials, so that a busy machine finds the same."""
 
-SECONDS_IN_BACKGROUND = 4.0
-"""The same in another process, while the window responds."""
+SECONDS_OF_A_COMMAND = 1.0
+"""The same where a user waits for the answer."""
 
 STEPS = 50_000
 """The most steps of a trial."""
@@ -152,7 +152,7 @@ def advice_in_background(
     error: SimulationError, level: Level, values: Values, stepping: Stepping, duration: float
 ) -> Iterator[Advice]:
     """Yield advice, as work for another process; for the parameters, see `with_advice`."""
-    yield advise(error, level, values, stepping, duration, SECONDS_IN_BACKGROUND)
+    yield advise(error, level, values, stepping, duration)
 
 
 def _helpful(failed: list[_Trial], trial: _Trial) -> Message:
@@ -186,10 +186,11 @@ def leaning_warning(level: Level, values: Values, stepping: Stepping) -> str:
     return f"{text}; {DIRECT} its forces are found"
 
 
-def creep_warning(trace: Trace) -> str:
+def creep_warning(trace: Trace, seconds: float = SECONDS) -> str:
     """Return what sweeps left unbalanced in the piles of a run; empty if that is negligible.
 
-    It also tries the direct solver and, if that finds the forces, says how long a step then takes.
+    It also tries the direct solver for some time [s] and, if that finds the forces, says how long a
+    step then takes.
     """
     level, values, stepping = trace.level, trace.values, trace.stepping
     if trace.unbalanced < NOTICED:
@@ -203,7 +204,7 @@ def creep_warning(trace: Trace) -> str:
     begun, end = process_time(), float(trace.t[-1])
     trial = _attempt(
         DIRECT, solved_directly(level), stepping, None,
-        values=values, before=0.0, end=end, until=begun + SECONDS,
+        values=values, before=0.0, end=end, until=begun + seconds,
     )  # fmt: skip
     if trial.has_stopped or not trial.t:
         return text
