@@ -186,7 +186,7 @@ def leaning_warning(level: Level, values: Values, stepping: Stepping) -> str:
     return f"{text}; {DIRECT} its forces are found"
 
 
-def creep_warning(trace: Trace, seconds: float = SECONDS) -> str:
+def creep_warning(trace: Trace, seconds: float | None = None) -> str:
     """Return what sweeps left unbalanced in the piles of a run; empty if that is negligible.
 
     It also tries the direct solver for some time [s] and, if that finds the forces, says how long a
@@ -204,7 +204,7 @@ def creep_warning(trace: Trace, seconds: float = SECONDS) -> str:
     begun, end = process_time(), float(trace.t[-1])
     trial = _attempt(
         DIRECT, solved_directly(level), stepping, None,
-        values=values, before=0.0, end=end, until=begun + seconds,
+        values=values, before=0.0, end=end, until=begun + (SECONDS if seconds is None else seconds),
     )  # fmt: skip
     if trial.has_stopped or not trial.t:
         return text
