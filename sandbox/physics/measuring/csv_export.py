@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import pymunk
 
-from sandbox.garbage_pause import uncollected
+from sandbox.garbage_collection_pause import uncollected
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
 from sandbox.model.loading import digest

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
-from sandbox.garbage_pause import uncollected
+from sandbox.garbage_collection_pause import uncollected
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pymunk
 
-from sandbox.garbage_pause import uncollected
+from sandbox.garbage_collection_pause import uncollected
 from sandbox.model.contact_solver_choice import has_one_sided_joints, is_direct
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
