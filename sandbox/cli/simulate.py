@@ -18,7 +18,12 @@ from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
 from sandbox.physics.accuracy.compared_runs import at_least_lasting
-from sandbox.physics.advising.remedy_trials import creep_warning, leaning_warning, with_advice
+from sandbox.physics.advising.remedy_trials import (
+    SECONDS_OF_A_COMMAND,
+    creep_warning,
+    leaning_warning,
+    with_advice,
+)
 from sandbox.physics.measuring.csv_export import to_csv
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Trace, needed
@@ -84,7 +89,8 @@ def _run(
     try:
         return runs.simulate(level, values, duration, recorded, stepping, books=True)
     except SimulationError as error:
-        raise with_advice(error, level, values, stepping, duration) from error
+        advised = with_advice(error, level, values, stepping, duration, SECONDS_OF_A_COMMAND)
+        raise advised from error
 
 
 def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
@@ -96,7 +102,7 @@ def _close(trace: Trace) -> None:
     """Print the run's energy balance, whether a pile may lean, and whether an impact was missed."""
     if trace.may_lean:
         typer.echo(f"contacts: {leaning_warning(trace.level, trace.values, trace.stepping)}")
-    elif creeps := creep_warning(trace):
+    elif creeps := creep_warning(trace, SECONDS_OF_A_COMMAND):
         typer.echo(f"contacts: {creeps}")
     if trace.missed_passages:
         rate, subject = trace.missed_passages[0]

@@ -94,4 +94,6 @@ class ValueRangeError(MisuseError):
 def brief(text: str, longest: int = 60) -> str:
     """Return content of a file, fit for a message: on one line, printable, and not too long."""
     shown = text if len(text) <= longest else f"{text[: longest - 1]}…"
+    if shown.isprintable():
+        return shown
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in shown)

@@ -101,7 +101,7 @@ def compiled(source: str) -> tuple[CodeType, frozenset[str]]:
     return _made(source)
 
 
-@lru_cache(maxsize=200)
+@lru_cache(maxsize=2000)
 def differentiated(source: str, variable: str) -> tuple[CodeType, frozenset[str]]:
     """Return the code of the derivative of an expression, and the names in it."""
     try:

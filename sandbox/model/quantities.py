@@ -20,11 +20,13 @@ from sandbox.model import ledger_accounts
 from sandbox.model.did_you_mean import closest, suggestion
 from sandbox.model.errors import MisuseError, brief
 from sandbox.model.level import Level
-from sandbox.model.translatable_message import Message
 
 Component = Literal["x", "y"]
 Owner = Literal["body", "joint", "system", "time"]
 """The kind of thing that a quantity belongs to."""
+
+_FORMS: Mapping[str, Component | None] = {".x": "x", ".y": "y", "": None}
+"""The endings of a vector's name, with their components."""
 
 _VECTORS: Mapping[Owner, Mapping[str, str]] = {
     "body": {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "momentum": "kg·m/s"},
@@ -52,6 +54,17 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
     },
 }
 
+_PLAIN: Mapping[Owner, Mapping[str, tuple[str, Component | None, str]]] = {
+    owner: {
+        f"{vector}{end}": (vector, component, unit)
+        for vector, unit in _VECTORS[owner].items()
+        for end, component in _FORMS.items()
+    }
+    | {name: (name, None, unit) for name, unit in scalars.items()}
+    for owner, scalars in _SCALARS.items()
+}
+"""The attribute, component and unit of what may follow the name of any body, or `system`."""
+
 _OF_CONTACT = {"contact.normal": "N", "contact.friction": "N"}
 """The forces between two bodies that touch."""
 
@@ -70,11 +83,7 @@ _OF_POINTS = {"position": "m", "velocity": "m/s"}
 """The quantities of a point of a body."""
 
 OVER_TIME: Mapping[str, str] = {
-    "min": "",
-    "max": "",
-    "largest": "",
-    "amplitude": "",
-    "mean": "",
+    **dict.fromkeys(("min", "max", "largest", "amplitude", "mean"), ""),
     "integral": "s",
 }
 """The aggregates of a quantity since the start, with the factor of their unit; `largest` is the
@@ -181,6 +190,8 @@ def quantity(name: str, level: Level) -> Quantity:
         raise QuantityError(
             "'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint
         )
+    if plain := _PLAIN.get(owner, {}).get(rest):
+        return Quantity(name, owner, subject, *plain)
     known = list[str]()
     for found in _family(owner, subject, rest, level):
         if found.name == name:
@@ -233,13 +244,12 @@ def _over_time(quantity: Quantity, aggregate: str) -> Quantity:
 
 def _no_aggregate(name: str, prefix: str, aggregate: str) -> QuantityError:
     """Return the error for a quantity without that aggregate over time."""
-    rule = Message(
+    return QuantityError(
         "'{name}' is not a quantity of this level; '{whole}' has no '{what}' over time",
         name=brief(name),
         whole=brief(prefix),
         what=aggregate,
     )
-    return QuantityError(rule)
 
 
 def _of_two(subject: str, rest: str, level: Level) -> Iterator[Quantity]:
@@ -264,9 +274,8 @@ def _within(subject: str, level: Level) -> Iterator[Quantity]:
 def _mutual(subject: str, other: str, level: Level) -> Iterator[Quantity]:
     name = f"{subject}.relative.{other}"
     for attribute, unit in _OF_POINTS.items():
-        for component in ("x", "y", None):
-            full_name = f"{name}.{attribute}" + (f".{component}" if component else "")
-            relative = f"relative.{attribute}"
+        for end, component in _FORMS.items():
+            full_name, relative = f"{name}.{attribute}{end}", f"relative.{attribute}"
             yield Quantity(full_name, "body", subject, relative, component, unit, other)
     yield Quantity(f"{name}.distance", "body", subject, "relative.distance", None, "m", other)
     if level.effects.contact and not (level.bodies[subject].sensor or level.bodies[other].sensor):
@@ -278,9 +287,9 @@ def _mutual(subject: str, other: str, level: Level) -> Iterator[Quantity]:
 def _of_points(subject: str, level: Level) -> Iterator[Quantity]:
     for point in level.bodies[subject].points:
         for attribute, unit in _OF_POINTS.items():
-            for component in ("x", "y", None):
-                name = f"{subject}.{point}.{attribute}" + (f".{component}" if component else "")
-                yield Quantity(name, "body", subject, f"point.{attribute}", component, unit, point)
+            for end, axis in _FORMS.items():
+                name = f"{subject}.{point}.{attribute}{end}"
+                yield Quantity(name, "body", subject, f"point.{attribute}", axis, unit, point)
 
 
 def _owner(subject: str, level: Level) -> Owner | None:
@@ -293,7 +302,7 @@ def _owner(subject: str, level: Level) -> Owner | None:
 
 def _owners(level: Level) -> dict[str, Owner]:
     subjects = *level.bodies, *level.joints, "system"
-    return {subject: owner for subject in subjects if (owner := _owner(subject, level))}
+    return {name: owner for name in subjects if (owner := _owner(name, level))}
 
 
 def _of_accounts(level: Level) -> Iterator[Quantity]:
@@ -301,38 +310,31 @@ def _of_accounts(level: Level) -> Iterator[Quantity]:
     outside = ledger_accounts.external_accounts(level)
     for name in ledger_accounts.potentials(level):
         yield _of_system(f"potential_energy.{name}", "J")
-    for book, names in {
-        "work": ledger_accounts.works(level),
-        "loss": ledger_accounts.losses(level),
-    }.items():
-        for name in names:
-            yield _of_system(f"{book}.{name}", _BOOKS[book])
+    for name in ledger_accounts.works(level):
+        yield _of_system(f"work.{name}", _BOOKS["work"])
+    for name in ledger_accounts.losses(level):
+        yield _of_system(f"loss.{name}", _BOOKS["loss"])
     for attribute in (*(f"impulse.{name}" for name in outside), "unexplained_momentum"):
-        for component in ("x", "y", None):
-            yield _of_system(attribute, _BOOKS[attribute.partition(".")[0]], component)
-    for attribute in (
-        *(f"angular_impulse.{name}" for name in outside),
-        "unexplained_angular_momentum",
-        "unexplained_energy",
-    ):
+        for end, component in _FORMS.items():
+            yield _of_system(attribute, _BOOKS[attribute.partition(".")[0]], end, component)
+    turns = (f"angular_impulse.{name}" for name in outside)
+    for attribute in (*turns, "unexplained_angular_momentum", "unexplained_energy"):
         yield _of_system(attribute, _BOOKS[attribute.partition(".")[0]])
 
 
-def _of_system(attribute: str, unit: str, component: Component | None = None) -> Quantity:
-    name = f"system.{attribute}" + (f".{component}" if component else "")
-    return Quantity(name, "system", "system", attribute, component, unit)
+def _of_system(
+    attribute: str, unit: str, end: str = "", component: Component | None = None
+) -> Quantity:
+    return Quantity(f"system.{attribute}{end}", "system", "system", attribute, component, unit)
 
 
 def _of(owner: Owner, subject: str, level: Level) -> Iterator[Quantity]:
-    for attribute, unit in _VECTORS.get(owner, {}).items():
-        name = f"{subject}.{attribute}"
-        yield Quantity(f"{name}.x", owner, subject, attribute, "x", unit)
-        yield Quantity(f"{name}.y", owner, subject, attribute, "y", unit)
-        yield Quantity(name, owner, subject, attribute, None, unit)
-    scalars = level.joints[subject].kind.quantities if owner == "joint" else _SCALARS[owner]
-    for attribute, unit in scalars.items():
-        yield Quantity(f"{subject}.{attribute}", owner, subject, attribute, None, unit)
-    if owner == "body":
+    for rest, (attribute, component, unit) in _PLAIN.get(owner, {}).items():
+        yield Quantity(f"{subject}.{rest}", owner, subject, attribute, component, unit)
+    if owner == "joint":
+        for name, unit in level.joints[subject].kind.quantities.items():
+            yield Quantity(f"{subject}.{name}", owner, subject, name, None, unit)
+    elif owner == "body":
         yield from _of_points(subject, level)
         if level.bodies[subject].sensor:
             yield Quantity(f"{subject}.{COUNT}", owner, subject, COUNT, None, "")

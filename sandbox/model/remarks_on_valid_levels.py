@@ -57,9 +57,10 @@ def _without_strength(level: Level) -> Iterator[Fault]:
                 name=name,
             )
             yield Fault((*path, effect.strength[0]), rule)
-        coefficients = tuple(getattr(body, name, None) for body in level.bodies.values())
-        if effect.coefficient and _is_nothing((*coefficients, settings)):
-            yield Fault(path, "'{name}' has no strength: every coefficient is 0", name=name)
+        if effect.coefficient:
+            coefficients = tuple(getattr(body, name, None) for body in level.bodies.values())
+            if _is_nothing((*coefficients, settings)):
+                yield Fault(path, "'{name}' has no strength: every coefficient is 0", name=name)
 
 
 def _is_nothing(part: object) -> bool:

@@ -6,11 +6,14 @@ from time import process_time
 import pytest
 
 from sandbox.model.expressions import Values
+from sandbox.model.functions_of_one_variable import Formula
 from sandbox.model.rules import level_validation
-from sandbox.model.rules.conditions import conditions, effects
+from sandbox.model.rules.conditions import conditions, effects, time_dependent_formulas
 from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.rules.conditions.time_dependent_formulas import Times
 from sandbox.model.rules.level_validation import FEWEST, MAX_CORNERS, corners
 from sandbox.model.shapes import Point, evaluate
+from sandbox.model.translatable_message import Message
 from tests.model.levels import Data, bare, level, mistakes, said
 
 MANY = {f"p{i}": {"value": 1, "min": 0.5, "max": 2} for i in range(8)}
@@ -193,6 +196,34 @@ def test_more_motions_than_can_be_looked_through_are_refused() -> None:
     found = said(mistakes(moving(1001, "t")))
 
     assert found == ["bodies: have 1,001 motions; at most 1,000 can be checked for jumps"]
+
+
+def test_motions_with_more_to_parse_than_can_be_looked_through_are_refused() -> None:
+    """999 motions, each with another formula of 29 sines, took 4.3 s."""
+    data = moving(420, "t")
+    for number, body in enumerate(data["bodies"].values()):
+        if "motion" in body:
+            body["motion"] = {"displacement": [f"{1000 + number}*t" + 60 * "+t*t", 0]}
+
+    assert said(mistakes(data)) == [
+        "bodies: have motions with formulas of 103,323 characters in all; at most 100,000 can be"
+        " checked for jumps"
+    ]
+
+
+def test_equal_formulas_of_motions_are_looked_through_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """999 motions with the same 40 sines took 3.1 s."""
+    asked: list[str] = []
+    jumps = time_dependent_formulas._jumps
+
+    def counted(at: Times, what: Message, formula: Formula, values: Values) -> Message | None:
+        asked.append(str(formula.source))
+        return jumps(at, what, formula, values)
+
+    monkeypatch.setattr(time_dependent_formulas, "_jumps", counted)
+
+    assert not mistakes(moving(30, "sin(t)"))
+    assert asked.count("sin(t)") == 1
 
 
 def test_many_fields_on_many_bodies_are_looked_at_soon() -> None:

@@ -282,9 +282,9 @@ def points(joint: Joint) -> tuple[End, ...]:
 
 def body_of(end: End) -> str | None:
     """Return the body of an end; None for a fixed point."""
-    if isinstance(end, Held):
-        return end.body
-    return end if isinstance(end, str) else None
+    if isinstance(end, str):
+        return end
+    return None if isinstance(end, tuple) else end.body
 
 
 def bodies_of(joint: Joint) -> Iterator[str]:

@@ -56,6 +56,8 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
 
 def _concerned(level: Level) -> frozenset[str]:
     """Return the parameters that can affect whether a level is refused."""
+    if not level.parameters:
+        return frozenset()
     said = (vars(part).items() for part in (level.effects, *level.bodies.values()))
     still = not bounds_the_rate(level)
     parts = [value for items in said for name, value in items if not (still and name in IN_MOTION)]

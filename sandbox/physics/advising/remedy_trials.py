@@ -24,13 +24,21 @@ from sandbox.physics.measuring.unbalanced_contacts import NOTICED
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.cancellation_points import cancellable, cancellation_point
-from sandbox.physics.state.simulation_errors import BlockedError, BreakdownError, SimulationError
+from sandbox.physics.state.simulation_errors import (
+    BlockedError,
+    BreakdownError,
+    OverlapError,
+    SimulationError,
+)
 from sandbox.physics.stepping.world import World
 
 DIRECT = Message('with "contact": {"solver": "direct"}')
 
 SECONDS = 4.0
 """s of processor time for all trials, so that a busy machine finds the same."""
+
+SECONDS_OF_A_COMMAND = 1.0
+"""The same where a user waits for the answer."""
 
 STEPS = 50_000
 """The most steps of a trial."""
@@ -94,10 +102,11 @@ def with_advice(
 ) -> SimulationError:
     """Return the error with which a run stopped, with advice from the trials of remedies.
 
+    None is tried where no setting can help: what is wrong is where bodies are, or a defect.
     `duration` is the intended duration [s], that of the level if left out; `seconds` is the
     processor time for all trials.
     """
-    if isinstance(error, BreakdownError | BlockedError):
+    if isinstance(error, BreakdownError | BlockedError | OverlapError):
         return error
     found = advise(error, level, values, stepping, duration, seconds)
     if not found.text:
@@ -119,7 +128,9 @@ def advise(
     end = level.duration(values) if duration is None else duration
     attempt = partial(_attempt, values=values, before=error.time, end=end)
     deadline, failed = process_time() + seconds, list[_Trial]()
-    remedies = [*_higher_rates(error, level, values, stepping), *_other_remedies(level, stepping)]
+    start_rate = _rate_at_start(error, level, values, stepping, until=deadline)
+    rates = _higher_rates(error, stepping, start_rate)
+    remedies = [*rates, *_other_remedies(level, stepping)]
     for i, (description, changed, with_, rate) in enumerate(remedies):
         left = len(remedies) - i
         # early stops leave more time to the others
@@ -175,10 +186,11 @@ def leaning_warning(level: Level, values: Values, stepping: Stepping) -> str:
     return f"{text}; {DIRECT} its forces are found"
 
 
-def creep_warning(trace: Trace) -> str:
+def creep_warning(trace: Trace, seconds: float | None = None) -> str:
     """Return what sweeps left unbalanced in the piles of a run; empty if that is negligible.
 
-    It also tries the direct solver and, if that finds the forces, says how long a step then takes.
+    It also tries the direct solver for some time [s] and, if that finds the forces, says how long a
+    step then takes.
     """
     level, values, stepping = trace.level, trace.values, trace.stepping
     if trace.unbalanced < NOTICED:
@@ -192,7 +204,7 @@ def creep_warning(trace: Trace) -> str:
     begun, end = process_time(), float(trace.t[-1])
     trial = _attempt(
         DIRECT, solved_directly(level), stepping, None,
-        values=values, before=0.0, end=end, until=begun + SECONDS,
+        values=values, before=0.0, end=end, until=begun + (SECONDS if seconds is None else seconds),
     )  # fmt: skip
     if trial.has_stopped or not trial.t:
         return text
@@ -214,24 +226,31 @@ Remedy = tuple[Message, Level | None, Stepping, float | None]
 
 
 def _higher_rates(
-    error: SimulationError, level: Level, values: Values, stepping: Stepping
+    error: SimulationError, stepping: Stepping, start_rate: float
 ) -> Iterator[Remedy]:
+    """Yield higher rates [Hz]: only one if the level cannot even start, for another cause."""
     if stepping.is_stock:
         return
     first = error.rate or FINER * stepping.rate
-    start_rate = MARGIN * _rate_at_start(level, values, stepping)
-    for rate in sorted({float(first), 2.0 * first, float(ceil(max(first, start_rate)))}):
+    is_other_cause = bool(error.place) and not error.rate
+    others = () if is_other_cause else (2.0 * first, float(ceil(max(first, start_rate))))
+    for rate in sorted({float(first), *others}):
         if stepping.rate < rate <= HIGHEST_RATE:
             yield Message("at {rate:,.0f} Hz", rate=rate), None, stepping.at(rate), rate
 
 
-def _rate_at_start(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return the rate that the start needs [Hz]; 0 if the world cannot be built."""
+def _rate_at_start(
+    error: SimulationError, level: Level, values: Values, stepping: Stepping, *, until: float
+) -> float:
+    """Return the rate that the start needs [Hz], with a margin; 0 if the world cannot be built."""
+    if error.place or stepping.is_stock:
+        return 0.0
     try:
-        world = build(level, values, stepping)
+        with cancellable(partial(_check_time, until)):
+            world = build(level, values, stepping)
     except SandboxError:
         return 0.0
-    return required_rate(world.scene, world.snapshot)
+    return MARGIN * required_rate(world.scene, world.snapshot)
 
 
 def _other_remedies(level: Level, stepping: Stepping) -> Iterator[Remedy]:
@@ -278,7 +297,11 @@ def _attempt(
         return _Trial(description, rate, world.t if world else 0.0, has_stopped=True)
     t = world.t if world else 0.0
     return _Trial(
-        description, rate, t, is_complete=is_complete, is_slow=not is_complete and t < PAST * before
+        description,
+        rate,
+        t,
+        is_complete=is_complete,
+        is_slow=not is_complete and t <= PAST * before,
     )
 
 

@@ -53,6 +53,23 @@ def collision(one: pymunk.Shape, other: pymunk.Shape) -> Collision | None:
     )
 
 
+def overlap(one: pymunk.Shape, other: pymunk.Shape) -> tuple[bool, float] | None:
+    """Return whether two shapes have a direction to part in, and how deep they overlap [m].
+
+    None if they do not touch. The numbers are those of a `Collision`, in a third of the time.
+    """
+    found = lib.cpShapesCollide(one._shape, other._shape)  # noqa: SLF001
+    if not (count := found.count):
+        return None
+    x, y, points = found.normal.x, found.normal.y, found.points
+    a, b = points[0].pointA, points[0].pointB
+    depth = (a.x - b.x) * x + (a.y - b.y) * y
+    if count > 1:
+        a, b = points[1].pointA, points[1].pointB
+        depth = max(depth, (a.x - b.x) * x + (a.y - b.y) * y)
+    return bool(x or y), depth
+
+
 def close_pairs(
     shapes: Sequence[pymunk.Shape], reach: float = 0.0, *, own: bool = False
 ) -> Iterator[tuple[pymunk.Shape, pymunk.Shape]]:

@@ -36,8 +36,8 @@ TOUCHING = 1e-9
 """m or rad, the distance at which a stop counts as touched."""
 
 WORK = 15_000
-"""The largest product of the bounces in a step and the equations of all joints, `BOUNCE` more for
-each, which each bounce solves anew: about a second of computing."""
+"""The largest product of the bounces in a step and the equations of all joints, which each bounce
+solves anew, with the elastic stops, which it looks at, and `BOUNCE` more: about a second."""
 
 BOUNCE = 40
 """The equations that take as long as what a bounce takes besides them."""
@@ -62,7 +62,7 @@ class Bounces:
         self._scene, self._sides, self._breaking_loads, self._dt = scene, sides, breaking_loads, dt
         self._restitution = [restitution[name] for name in sides.names]
         self._resting: set[int] = set()
-        self._work = 0  # in this step: bounces times equations, and `BOUNCE` more for each
+        self._work = 0  # in this step, see `WORK`
         self._begin()
 
     @classmethod
@@ -142,11 +142,18 @@ class Bounces:
         Another one is reached after the time `soonest` [s]; until the times `apart`, none is.
         """
         waits: dict[int, float] = {}
+        rows, seen = len(self._sides.equations.rows), None
         for side, low in apart.items():
-            if soonest < part.duration and not self._is_beyond(side, part, soonest):
+            if soonest < part.duration and side < rows:
+                if seen is None:
+                    seen = self._beyond(part.state(soonest)[0]) > 0  # of all sides at once
+                if not seen[side]:
+                    continue
+            elif soonest < part.duration and not self._is_beyond(side, part, soonest):
                 continue
             waits[side] = first_time(partial(self._is_beyond, side, part), low, part.duration)
-            soonest = min(soonest, waits[side])
+            if waits[side] < soonest:
+                soonest, seen = waits[side], None
         return waits
 
     def _is_beyond(self, side: int, part: Part, t: float) -> bool:
@@ -177,7 +184,7 @@ class Bounces:
 
         Raises `JointFailure` if stops are met too often in a step.
         """
-        self._work += BOUNCE + len(self._together.names)
+        self._work += BOUNCE + len(self._together.names) + len(self._restitution) // 2
         if self._work > WORK:
             name = self._sides.names[side]
             raise JointFailure(name, OFTEN.filled(name=name))

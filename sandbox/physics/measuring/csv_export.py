@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import pymunk
 
+from sandbox.garbage_collection_pause import uncollected
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
 from sandbox.model.loading import digest
@@ -26,6 +27,7 @@ class Change(NamedTuple):
     """the command-line options that make the change"""
 
 
+@uncollected()
 def to_csv(
     trace: Trace,
     source: str,

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
+from sandbox.garbage_collection_pause import uncollected
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured
@@ -144,6 +145,7 @@ def may_lean(world: World) -> bool:
 class Recorder:
     """Records quantities of a world, step by step; keeps a ledger if a quantity needs one."""
 
+    @uncollected()
     def __init__(self, world: World, names: Iterable[str]) -> None:
         self._world = world
         requested = [quantity(name, world.level) for name in dict.fromkeys(names)]

@@ -1,7 +1,7 @@
 """Measures named quantities from snapshots."""
 
 from collections.abc import Callable, Iterable, Mapping
-from functools import partial
+from functools import cached_property, partial
 from math import nan
 
 import numpy as np
@@ -32,6 +32,7 @@ class Meter:
         self._joints = scene.joints
         self._mass, self._moment, self._share = scene.mass, scene.moment, scene.mass_fraction
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
+        self._of_all: dict[str, Array] = {}  # what the quantities of one snapshot share
         self.quantities = {name: quantity(name, run.level) for name in names}
         self._measurements = {name: self._bind(q) for name, q in self.quantities.items()}
 
@@ -40,7 +41,10 @@ class Meter:
 
         An integral over time begins with the first instant; it is 0 for one snapshot.
         """
-        return {name: measure(snapshot) for name, measure in self._measurements.items()}
+        try:
+            return {name: measure(snapshot) for name, measure in self._measurements.items()}
+        finally:
+            self._of_all.clear()
 
     def _bind(self, quantity: Quantity) -> Measurement:
         if quantity.needs_ledger or quantity.is_pair_force or quantity.aggregate:
@@ -61,11 +65,19 @@ class Meter:
     def _of_body(self, quantity: Quantity) -> Measurement:
         if quantity.attribute == COUNT:
             return self._count(quantity.subject)
-        row = self._rows[quantity.subject]
-        if vectors := self._vectors_of_bodies.get(quantity.attribute):
-            return _component(lambda s: vectors(s)[..., row, :], quantity.component)
-        scalars = self._scalars_of_bodies[quantity.attribute]
-        return lambda s: scalars(s)[..., row]
+        row, attribute = self._rows[quantity.subject], quantity.attribute
+        if vectors := self._vectors_of_bodies.get(attribute):
+            shared = partial(self._shared, attribute, vectors)
+            return _component(lambda s: shared(s)[..., row, :], quantity.component)
+        shared = partial(self._shared, attribute, self._scalars_of_bodies[attribute])
+        return lambda s: shared(s)[..., row]
+
+    def _shared(self, attribute: str, measure: Measurement, s: Snapshot) -> Array:
+        """Measure an attribute of all bodies, once for all that are asked for."""
+        found = self._of_all.get(attribute)
+        if found is None:
+            found = self._of_all[attribute] = measure(s)
+        return found
 
     def _of_joint(self, name: str, attribute: str) -> Measurement:
         if attribute == "length":
@@ -113,7 +125,7 @@ class Meter:
             return _component(vector, quantity.component)
         return self._scalars_of_system[quantity.attribute]
 
-    @property
+    @cached_property
     def _vectors_of_bodies(self) -> Mapping[str, Measurement]:
         """The vectors of every body: (..., n, 2)."""
         return {
@@ -123,7 +135,7 @@ class Meter:
             "momentum": self._momentum,
         }
 
-    @property
+    @cached_property
     def _scalars_of_bodies(self) -> Mapping[str, Measurement]:
         """The scalars of every body: (..., n)."""
         return {

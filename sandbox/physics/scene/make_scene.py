@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pymunk
 
+from sandbox.garbage_collection_pause import uncollected
 from sandbox.model.contact_solver_choice import has_one_sided_joints, is_direct
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
@@ -82,6 +83,7 @@ class Scene:
     """The times of the events so far, by name [s]."""
 
 
+@uncollected()
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     """Make the pymunk objects of a level for the given parameters.
 

@@ -115,6 +115,10 @@ class BlockedError(SimulationError):
     """A run in which something is driven into what cannot give way: no rate helps."""
 
 
+class OverlapError(SimulationError):
+    """Bodies that overlap at the start, at any rate and with any solver."""
+
+
 class SchemeError(SandboxError):
     """A scheme that does not suit a level."""
 

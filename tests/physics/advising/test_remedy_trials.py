@@ -202,3 +202,15 @@ def test_of_a_pile_that_does_not_settle_it_is_said_what_was_seen_to_help() -> No
     assert leaning_warning(scene, {}, scene.stepping).endswith('"direct"} its forces are found')
     # too many for that
     assert leaning_warning(large, {}, large.stepping).endswith("it may lean or fall")
+
+
+def test_no_remedy_is_tried_for_bodies_that_overlap_at_the_start(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """No rate and no solver moves them apart: three builds were in vain, 2.4 s for 300 polygons."""
+    scene = level({"a": box(), "b": box((0.1, 0))}, {"contact": {}})
+    error = refusal(scene)
+    assert error
+    monkeypatch.setattr(remedy_trials, "build", None)
+
+    assert with_advice(error, scene, scene.defaults, scene.stepping) is error

@@ -3,11 +3,14 @@
 import numpy as np
 import pytest
 
+from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.quantities import QuantityError, quantities
 from sandbox.physics.measuring import recording
+from sandbox.physics.quantities import meter
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
+from sandbox.physics.state.snapshot import Snapshot
 from tests.physics.scenes import GRAVITY, G, atwood, box, disc, fixed, level, run
 
 SCENE = level(
@@ -117,3 +120,25 @@ def test_the_action_of_what_moves_freely_is_that_of_its_kinetic_energy() -> None
 
     assert meter(run(build(scene), 60))["ball.action"][-1] == pytest.approx(3 * 16 / 2)
     assert meter(build(scene).snapshot)["ball.action"] == 0
+
+
+def test_what_quantities_of_many_bodies_share_is_computed_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The kinetic energies of all bodies were computed for each that was asked for."""
+    scene = level({f"b{i}": disc((2.0 * i, 0), velocity=[i, 0]) for i in range(5)}, {})
+    calls = 0
+    real = meter.kinetic_energy
+
+    def counted(mass: Array, moment: Array, now: Snapshot) -> Array:
+        nonlocal calls
+        calls += 1
+        return real(mass, moment, now)
+
+    monkeypatch.setattr(meter, "kinetic_energy", counted)
+    world = build(scene)
+    names = [f"b{i}.kinetic_energy" for i in range(5)]
+    found = Meter(world, names)(world.snapshot)
+
+    assert [float(found[name]) for name in names] == [i**2 / 2 for i in range(5)]
+    assert calls == 1

@@ -44,22 +44,40 @@ STARTS = 1e-12
 Times = Callable[[Values], Array]
 """Returns the times at which formulas are evaluated [s]."""
 
+Check = Callable[[Formula, Values], Message | None]
+"""Says what is wrong with a formula."""
+
 
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield the conditions on the formulas in the time."""
     formulas = list(_formulas(level))
     times = partial(_times, level, max(min(MOST, SHARED // max(len(formulas), 1)), FEW))
+    lost = _once(partial(_lost, times))
+    jumps, displaced = _once(partial(_jumps, times, MOTION)), _once(_displaced)
     for path, formula in formulas:
-        yield Condition(path, _names(formula, level), partial(_lost, formula, times), 50)
+        yield Condition(path, _names(formula, level), partial(lost, formula), 50)
     for name, joint in level.joints.items():
         if isinstance(joint, Rod) and joint.length and "t" in joint.length.names:
             path, names = ("joints", name, "length"), _names(joint.length, level)
             yield Condition(path, names, partial(_gone, joint.length, times), 50)
-            yield Condition(path, names, partial(_jumps, LENGTH, joint.length, times), 1000)
+            yield Condition(path, names, partial(_jumps, times, LENGTH, joint.length), 1000)
     for path, formula in _motions(level):
         names = _names(formula, level)
-        yield Condition(path, names, partial(_displaced, formula), 50)
-        yield Condition(path, names, partial(_jumps, MOTION, formula, times), 1000)
+        yield Condition(path, names, partial(displaced, formula), 50)
+        yield Condition(path, names, partial(jumps, formula), 1000)
+
+
+def _once(check: Check) -> Check:
+    """Return the same check of a formula, made once for equal formulas and values of a level."""
+    known: dict[tuple[Formula, *tuple[float, ...]], Message | None] = {}
+
+    def checked(formula: Formula, values: Values) -> Message | None:
+        key = (formula, *values.values())
+        if key not in known:
+            known[key] = check(formula, values)
+        return known[key]
+
+    return checked
 
 
 def _names(formula: Formula, level: Level) -> frozenset[str]:
@@ -90,7 +108,7 @@ def _times(level: Level, most: int, values: Values) -> Array:
     return np.linspace(0.0, duration, steps + 1)
 
 
-def _lost(formula: Formula, at: Times, values: Values) -> Message | None:
+def _lost(at: Times, formula: Formula, values: Values) -> Message | None:
     """Say when a formula first has no value, or too large a value."""
     times = at(values)
     try:
@@ -142,7 +160,7 @@ def _displaced(formula: Formula, values: Values) -> Message | None:
     return None
 
 
-def _jumps(what: Message, formula: Formula, at: Times, values: Values) -> Message | None:
+def _jumps(at: Times, what: Message, formula: Formula, values: Values) -> Message | None:
     """Say when a length or a motion jumps."""
     times = at(values)
     over = formula.over(values, times)

@@ -13,6 +13,10 @@ from sandbox.model.translatable_message import Message, word
 MAX_MOTIONS = 1000
 """The most kinematic bodies with a motion: that many take 0.8 s to check."""
 
+MAX_MOTION_CHARACTERS = 100_000
+"""The most characters in all different formulas of motions: to parse these, find their derivatives
+and look for jumps takes more than a second."""
+
 MAX_SURFACES = 30_000
 """The most surfaces that may touch: pymunk takes more than 100 s to free 40,000 in a heap."""
 
@@ -169,13 +173,22 @@ def not_too_many(level: Level) -> Iterator[Fault]:
             count=surfaces,
             most=MAX_SURFACES,
         )
-    motions = sum(body.motion is not None for body in level.bodies.values())
-    if motions > MAX_MOTIONS:
+    motions = [body.motion for body in level.bodies.values() if body.motion]
+    if len(motions) > MAX_MOTIONS:
         yield Fault(
             ("bodies",),
             "have {count:,} motions; at most {most:,} can be checked for jumps",
-            count=motions,
+            count=len(motions),
             most=MAX_MOTIONS,
+        )
+    different = {str(one.source) for each in motions for one in (*each.displacement, each.turn)}
+    if (length := sum(map(len, different))) > MAX_MOTION_CHARACTERS:
+        yield Fault(
+            ("bodies",),
+            "have motions with formulas of {length:,} characters in all; at most {most:,} can be"
+            " checked for jumps",
+            length=length,
+            most=MAX_MOTION_CHARACTERS,
         )
 
 

@@ -9,7 +9,7 @@ so boxes and lines would not even collide.
 from cmath import phase
 from collections.abc import Iterator, Mapping
 from itertools import islice
-from math import acos
+from math import acos, inf
 from typing import TYPE_CHECKING, NamedTuple
 
 import pymunk
@@ -21,8 +21,9 @@ from sandbox.physics.contacts.detection.contact_queries import contact_of
 from sandbox.physics.contacts.shapes.arc_contact_correction import Hollows
 from sandbox.physics.contacts.shapes.pair_exclusion import meets
 from sandbox.physics.contacts.shapes.pymunk_shapes import slop_of
-from sandbox.physics.engine.shape_pairs import close_pairs, collision, is_dynamic
-from sandbox.physics.state.simulation_errors import SimulationError
+from sandbox.physics.engine.shape_pairs import close_pairs, collision, is_dynamic, overlap
+from sandbox.physics.state.cancellation_points import cancellation_point
+from sandbox.physics.state.simulation_errors import OverlapError
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.shapes.one_way_surfaces import Gates
@@ -79,14 +80,13 @@ def refuse_overlaps(
 
     Where the level allows overlaps, only those that have no direction to part in are refused.
     Bodies that never collide, because they are welded or neither moves, are left out. The error is
-    a `SimulationError`.
+    an `OverlapError`.
     """
-    least = tolerated(space, contact, values)
-    found = overlaps(bodies, least, hollows, gates)
-    wrong = (pair for pair in found if not (contact.overlaps and pair.directed))
+    least = inf if contact.overlaps else tolerated(space, contact, values)
+    wrong = overlaps(bodies, least, hollows, gates)
     worst = max(islice(wrong, ENOUGH), default=None)
     if worst:
-        raise SimulationError(worst.bodies[0], 0.0, worst.reason)
+        raise OverlapError(worst.bodies[0], 0.0, worst.reason)
 
 
 def _arcs_in_arcs(names: Mapping[pymunk.Body, str], hollows: Hollows | None) -> Iterator[Overlap]:
@@ -128,10 +128,16 @@ def overlaps(
     names = {body: name for name, body in bodies.items()}
     yield from _arcs_in_arcs(names, hollows)
     shapes = [shape for body in bodies.values() for shape in body.shapes]
-    for shape in filter(is_dynamic, shapes):
+    dynamic = set(filter(is_dynamic, shapes))
+    for shape in dynamic:
         shape.cache_bb()
     for pair in close_pairs(shapes):
-        one, other = pair if is_dynamic(pair[0]) else pair[::-1]
+        cancellation_point()
+        one, other = pair if pair[0] in dynamic else pair[::-1]
+        if not hollows:
+            together = overlap(one, other)
+            if together is None or (together[0] and together[1] <= least):
+                continue
         touch = collision(one, other)
         found = touch and contact_of(one, other, touch, hollows, gates)
         if found and one.body and (found.depth > least or not found.directed):

@@ -12,7 +12,8 @@ import numpy as np
 import pymunk
 
 from sandbox.physics.contacts.shapes.pymunk_shapes import SKIN
-from sandbox.physics.engine.shape_pairs import close_pairs, collision, is_dynamic
+from sandbox.physics.engine.shape_pairs import close_pairs, is_dynamic, overlap
+from sandbox.physics.state.cancellation_points import cancellation_point
 
 REACH = 1e-7
 """m, the largest gap at a corner that is closed; a corner of 20° has at most 9.5e-8."""
@@ -29,6 +30,7 @@ def reach_out(space: pymunk.Space) -> None:
     reach = max(REACH, min(SHARPEST, max(map(_falls_short, polygons))))
     short: dict[pymunk.Poly, float] = {}
     for shape, others in _partners(space, reach).items():
+        cancellation_point()
         for polygon, gap in _gaps(shape, others, reach):
             short[polygon] = max(gap, short.get(polygon, 0.0))
     for polygon, gap in short.items():
@@ -37,12 +39,16 @@ def reach_out(space: pymunk.Space) -> None:
 
 def _partners(space: pymunk.Space, reach: float) -> dict[pymunk.Shape, list[pymunk.Shape]]:
     """Return the shapes that are close to each movable disc or polygon; one is a polygon."""
+    shapes = list(space.shapes)
+    polygons = {shape for shape in shapes if isinstance(shape, pymunk.Poly)}
+    movable = {s for s in shapes if is_dynamic(s) and not isinstance(s, pymunk.Segment)}
     found: dict[pymunk.Shape, list[pymunk.Shape]] = {}
-    for pair in close_pairs(list(space.shapes), 2 * reach, own=True):
-        if any(isinstance(shape, pymunk.Poly) for shape in pair):
-            for shape, other in (pair, pair[::-1]):
-                if is_dynamic(shape) and not isinstance(shape, pymunk.Segment):
-                    found.setdefault(shape, []).append(other)
+    for one, other in close_pairs(shapes, 2 * reach, own=True):
+        if one in polygons or other in polygons:
+            if one in movable:
+                found.setdefault(one, []).append(other)
+            if other in movable:
+                found.setdefault(other, []).append(one)
     return found
 
 
@@ -63,10 +69,10 @@ def _gaps(
     own = shape.radius
     shape.unsafe_set_radius(own + reach)
     shape.cache_bb()
-    hits = [(other, collision(shape, other)) for other in others]
+    hits = [(other, overlap(shape, other)) for other in others]
     shape.unsafe_set_radius(own)
     for other, found in hits:
         polygon = shape if isinstance(shape, pymunk.Poly) else other
-        gap = reach - found.depth if found else reach
+        gap = reach - found[1] if found else reach
         if 0 <= gap < reach and isinstance(polygon, pymunk.Poly):
             yield polygon, gap

@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.physics.advising.preflight_faults import refusal
 from sandbox.physics.contacts.detection import overlaps_at_start
-from sandbox.physics.engine.shape_pairs import Collision, collision
+from sandbox.physics.engine.shape_pairs import overlap
 from sandbox.physics.run import build
 from sandbox.physics.state.simulation_errors import SimulationError
 from tests.physics.scenes import Spec, box, disc, fixed, floor, level
@@ -198,11 +198,11 @@ def test_each_pair_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """300 polygons in one place took 2.9 s, as each pair was found from both of its shapes."""
     asked: list[tuple[object, object]] = []
 
-    def counted(one: pymunk.Shape, other: pymunk.Shape) -> Collision | None:
+    def counted(one: pymunk.Shape, other: pymunk.Shape) -> tuple[bool, float] | None:
         asked.append((one, other))
-        return collision(one, other)
+        return overlap(one, other)
 
-    monkeypatch.setattr(overlaps_at_start, "collision", counted)
+    monkeypatch.setattr(overlaps_at_start, "overlap", counted)
     crowd = {f"b{i}": box((0.01 * i, 0)) for i in range(10)}
     build(level({**crowd, "far": box((5, 0))}, {"contact": {"overlaps": True}}))
 
