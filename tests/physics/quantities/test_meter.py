@@ -10,6 +10,7 @@ from sandbox.physics.measuring import recording
 from sandbox.physics.quantities import meter
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
+from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 from tests.physics.scenes import GRAVITY, G, atwood, box, disc, fixed, level, run
 
@@ -128,7 +129,7 @@ def test_what_quantities_of_many_bodies_share_is_computed_once(
     """The kinetic energies of all bodies were computed for each that was asked for."""
     scene = level({f"b{i}": disc((2.0 * i, 0), velocity=[i, 0]) for i in range(5)}, {})
     calls = 0
-    real = meter.kinetic_energy
+    real = kinetic_energy
 
     def counted(mass: Array, moment: Array, now: Snapshot) -> Array:
         nonlocal calls

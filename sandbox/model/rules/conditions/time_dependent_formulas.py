@@ -69,10 +69,10 @@ def conditions(level: Level) -> Iterator[Condition]:
 
 def _once(check: Check) -> Check:
     """Return the same check of a formula, made once for equal formulas and values of a level."""
-    known: dict[tuple[Formula, *tuple[float, ...]], Message | None] = {}
+    known: dict[tuple[object, ...], Message | None] = {}
 
     def checked(formula: Formula, values: Values) -> Message | None:
-        key = (formula, *values.values())
+        key: tuple[object, ...] = (formula, *values.values())
         if key not in known:
             known[key] = check(formula, values)
         return known[key]
