@@ -66,7 +66,8 @@ def content(path: Path, largest: int = MAX_BYTES) -> bytes:
     try:
         return read_named(path, largest)
     except UnreadableError as error:
-        refuse(str(path), error.message)
+        source = str(path)
+        refuse(source, error.message)
 
 
 def decoded(held: bytes, source: str) -> str:
