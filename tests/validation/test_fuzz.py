@@ -325,6 +325,20 @@ def test_what_goes_wrong_is_kept(tmp_path: Path) -> None:
     assert found.failures == [{"number": 0, "what": "ended: with -6", "sample": str(sample)}]
 
 
+def test_without_a_place_for_samples_nothing_is_tried_and_nothing_written(tmp_path: Path) -> None:
+    """The figures of no level were written."""
+    file, taken = tmp_path / "out.json", tmp_path / "taken"
+    taken.touch()
+
+    done = CliRunner().invoke(
+        app, ["fuzz", "--count", "4", "--json", str(file), "--samples", str(taken / "samples")]
+    )
+
+    assert done.exit_code == 2
+    assert str(taken / "samples") in done.output.replace("\n", "")
+    assert not file.exists()
+
+
 @pytest.mark.sweep
 def test_the_figures_are_written(tmp_path: Path) -> None:
     file = tmp_path / "out.json"

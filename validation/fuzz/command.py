@@ -70,14 +70,16 @@ def fuzz(
     try:
         source = guided(seed, trial) if found.guided else drawn(seed, trial)
         with folder_of_files(samples), closing(source):
-            for tried in source:
-                late = minutes is not None and monotonic() - start > 60 * minutes
-                if late or tried.number == number:
-                    break
-                _note(tried, trial, found, samples)
-    finally:  # report the findings also after an interruption
+            try:
+                for tried in source:
+                    late = minutes is not None and monotonic() - start > 60 * minutes
+                    if late or tried.number == number:
+                        break
+                    _note(tried, trial, found, samples)
+            finally:  # report the findings also after an interruption
+                _report(found, seed, monotonic() - start, json_file)
+    finally:
         trial.close()
-        _report(found, seed, monotonic() - start, json_file)
     return not found.failures
 
 
