@@ -23,9 +23,8 @@ class Hook:
 
     Set `kick`, which is passed to the work, take pymunk's step, and call `finish`; or call what
     `around` returns. pymunk prints an exception from a callback and carries on, so `error` stores
-    it until then. `count`
-    is the number of calls in a step, `seconds` their total time since `start_timing` was called
-    [s].
+    it until then. `count` is the number of calls in a step, and `seconds` their total time since
+    `start_timing` was called [s].
     """
 
     def __init__(
