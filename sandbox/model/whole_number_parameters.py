@@ -32,7 +32,7 @@ def _is_rounded(tree: ast.AST, parameter: str) -> bool:
 
 def _is_whole(tree: ast.AST) -> bool:
     value = tree.value if isinstance(tree, ast.Constant) else None
-    return isinstance(value, int | float) and value == int(value)
+    return isinstance(value, int) or (isinstance(value, float) and value.is_integer())
 
 
 def _names(tree: ast.AST, parameter: str) -> bool:
