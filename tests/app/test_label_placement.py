@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
+from math import dist
 
 import pygame
 import pytest
@@ -393,3 +394,33 @@ def test_a_name_keeps_off_the_arrows_of_forces_in_a_small_window(
 
     assert any(name.startswith("force normal force") for name in crossed)
     assert not crossed["name block"]
+
+
+def test_in_a_small_window_no_name_stands_at_another_body(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With large text ball 4 was named above ball 2, and ball 3 above ball 5."""
+    place_for, names = Labels.place_for, dict[str, pygame.Rect]()
+
+    def noted_place(
+        labels: Labels, places: Iterable[pygame.Rect], avoid: Sequence[pygame.Rect] = (), *,
+        name: str = "", strict: bool = False,
+    ) -> pygame.Rect | None:  # fmt: skip
+        place = place_for(labels, places, avoid, name=name, strict=strict)
+        if place and name.startswith("name "):
+            names[name.removeprefix("name ")] = place
+        return place
+
+    monkeypatch.setattr(Labels, "place_for", noted_place)
+    person.resize((900, 600))
+    person.window.comfort.choose(language="de", size=150)
+    person.window.apply_preferences()
+    person.window.open_level("momentum/cradle")
+    names.clear()
+    person.wait()
+
+    view = person.window.stage.view
+    centers = {each.name: view.camera.to_screen(view.state(each)[0]) for each in view.moving}
+    assert len(names) > 2
+    for name, place in names.items():
+        assert min(centers, key=lambda body: dist(centers[body], place.center)) == name

@@ -34,6 +34,9 @@ LARGE = 50
 GAP = 3
 """The distance of a text from the bodies that cover its point [px]."""
 
+NOWHERE = pygame.Rect(-10_000, -10_000, 0, 0)
+"""The place of a name that is not written."""
+
 Placed = tuple[Outline, XY, float]
 """A body with its position [m] and angle [rad]."""
 
@@ -281,8 +284,19 @@ def draw_names(
                     place.move_to(midbottom=(box.centerx, box.top - text.height)),
                 ]
             others, name = boxes[:i] + boxes[i + 1 :], f"name {outline.name}"
+            places = [NOWHERE if _is_nearer(each, others, box) else each for each in places]
             if found := labels.place_for(places, others, name=name, strict=True):
                 surface.blit(text, found)
+
+
+def _is_nearer(place: pygame.Rect, others: Sequence[pygame.Rect], own: pygame.Rect) -> bool:
+    """Return whether a name at a place would be read as that of another body."""
+    across = max(own.left - place.right, place.left - own.right)
+    gap = max(across, own.top - place.bottom, place.top - own.bottom, 0)
+    beside = place.inflate(2 * gap + 2, 2 * gap + 2).collidelistall(others)
+    x, y = place.center
+    apart = hypot(own.centerx - x, own.centery - y)
+    return any(hypot(others[k].centerx - x, others[k].centery - y) < apart for k in beside)
 
 
 def _box(corners: Sequence[XY]) -> pygame.Rect:
