@@ -10,9 +10,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from sandbox.editing.cleanup_after_edit import without_meaning
-from sandbox.editing.expanded_level import expanded
 from sandbox.editing.formula_arithmetic import renamed
 from sandbox.editing.inserted_value_layout import plain as rounded
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model import level_writing
 from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError

@@ -12,7 +12,7 @@ from sandbox.app.files.challenge_stars import ChallengeStars
 from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.pages.predict.panel import PredictPage
-from sandbox.app.pages.predict.prediction_worker import PredictionWorker
+from sandbox.app.pages.predict.prediction_in_progress import PredictionWorker
 from sandbox.app.pages.share.background_film import FilmWorker
 from sandbox.app.pages.share.panel import SharePage
 from tests.app.person import Person, until

@@ -7,7 +7,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
-from sandbox.app.stage.potential_landscape import turning_points
+from sandbox.app.stage.potential_curve_with_body import turning_points
 from sandbox.app.stage.stage import Stage
 from sandbox.model.shapes import XY
 from tests.app import scenes

@@ -11,9 +11,9 @@ from sandbox.editing.edits import bodies, moving_and_aligning
 from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.edits.joint_creation import Pick, add_joint
 from sandbox.editing.edits.resizing import drag_handle
-from sandbox.editing.expanded_level import expanded
 from sandbox.editing.foreseen_faults import MOST, ForeseenFaults, Foresight, Proposed
 from sandbox.editing.text_patches import Changes, put, put_all
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

@@ -2,8 +2,8 @@
 
 import pytest
 
-from sandbox.editing.expanded_level import expanded
 from sandbox.editing.renaming import rename
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import TOKEN

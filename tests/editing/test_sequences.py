@@ -23,10 +23,10 @@ from sandbox.editing.edits import (
     rope_wrapping,
     slope_angle_parameter,
 )
-from sandbox.editing.expanded_level import expanded
 from sandbox.editing.renaming import rename
 from sandbox.editing.snapping import snap_body
 from sandbox.editing.suggested_checks import suggestions, with_suggestion
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import SandboxError

@@ -13,7 +13,7 @@ from sandbox.editing import suggested_checks
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, grouping, moving_and_aligning
 from sandbox.editing.edits.edit_result import EditResult
-from sandbox.editing.expanded_level import expanded
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model.comments import members
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.level import Level

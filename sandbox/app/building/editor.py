@@ -12,10 +12,10 @@ import pygame
 from sandbox.app.building import editor_keys
 from sandbox.app.building.build_or_run_switch import BuildOrRunSwitch
 from sandbox.app.building.current_tool import FIRST, CurrentTool
-from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
 from sandbox.app.building.editor_on_stage import EditorOnStage
 from sandbox.app.building.effect_costs import EffectCosts
+from sandbox.app.building.kept_drafts import Drafts
 from sandbox.app.building.live_edits import KEPT
 from sandbox.app.building.rerun_after_edit import RerunAfterEdit
 from sandbox.app.building.saving_and_reloading import Saving

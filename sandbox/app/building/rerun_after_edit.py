@@ -4,8 +4,8 @@ import re
 from time import perf_counter
 
 from sandbox.app.building.current_tool import CurrentTool
-from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.kept_drafts import Drafts
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError

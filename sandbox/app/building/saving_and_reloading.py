@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from sandbox.app.building.current_tool import CurrentTool
-from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import EditedLevel
+from sandbox.app.building.kept_drafts import Drafts
 from sandbox.app.words.language import say
 from sandbox.editing.edits.automatic_title import entitled_by
 from sandbox.model.errors import SandboxError

@@ -31,7 +31,7 @@ from sandbox.app.stage.given_force_arrows import Arrow
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
-from sandbox.app.stage.potential_landscape import PotentialLandscape
+from sandbox.app.stage.potential_curve_with_body import PotentialLandscape
 from sandbox.app.words import level_translation
 from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate

@@ -15,7 +15,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.model.quantities import Quantity, quantity
 from sandbox.physics.engine.space_arrays import Booleans, Integers
-from sandbox.physics.joints.exact.batched_joints import ManyJoints
+from sandbox.physics.joints.exact.joints_of_many_runs import ManyJoints
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.motion import Instant, kinetic_energy

@@ -7,8 +7,8 @@ import pygame
 import pytest
 
 from sandbox.app.building.draft_recovery_and_conflict_choices import choices
-from sandbox.app.building.drafts import OFTEN
 from sandbox.app.building.editor import Editor
+from sandbox.app.building.kept_drafts import OFTEN
 from sandbox.app.window import Window
 from sandbox.model import level_catalog, unsaved_files
 from tests.app.building.builder import Builder

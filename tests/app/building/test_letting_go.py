@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from sandbox.app.building.drafts import Drafts
+from sandbox.app.building.kept_drafts import Drafts
 from sandbox.app.building.partial_level import PartCache, PartialLevel, _body
 from sandbox.editing.draft import Draft
 from sandbox.model import level_catalog

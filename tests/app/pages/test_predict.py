@@ -14,8 +14,8 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.predict import card, neglected_effects
 from sandbox.app.pages.predict.panel import PredictPage
+from sandbox.app.pages.predict.prediction_in_progress import PredictionWorker
 from sandbox.app.pages.predict.prediction_outcome import Outcome, judged
-from sandbox.app.pages.predict.prediction_worker import PredictionWorker
 from sandbox.app.pages.predict.questions import questions, when
 from sandbox.app.runs import run_player
 from sandbox.app.runs.session import Session

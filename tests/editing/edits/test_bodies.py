@@ -17,7 +17,7 @@ from sandbox.editing.edits.bodies import (
 )
 from sandbox.editing.edits.edit_result import EditResult
 from sandbox.editing.edits.effects import declare
-from sandbox.editing.expanded_level import expanded
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

@@ -8,7 +8,7 @@ from sandbox.editing.bodies_at_start import bounding_box, placed
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.copying import copy, duplicate, paste
 from sandbox.editing.edits.mirroring import mirror
-from sandbox.editing.expanded_level import expanded
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of

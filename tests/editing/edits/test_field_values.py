@@ -7,8 +7,8 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_disc
 from sandbox.editing.edits.field_values import make_parameter, parameter_name, set_field
-from sandbox.editing.expanded_level import expanded
 from sandbox.editing.text_patches import put, value_at
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.expressions import Expression

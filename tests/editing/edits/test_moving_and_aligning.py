@@ -9,8 +9,8 @@ from sandbox.editing.bodies_at_start import placed
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.moving_and_aligning import Side, align, distribute, move, turn
-from sandbox.editing.expanded_level import expanded
 from sandbox.editing.text_patches import value_at
+from sandbox.editing.written_out_shorthand import expanded
 from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import parse, read

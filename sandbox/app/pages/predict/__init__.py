@@ -8,5 +8,5 @@ PAGE = Page(
     key="q",
     text="predict a number, run, and see what explains a difference",
     panel=imported("sandbox.app.pages.predict.panel", "PredictPage"),
-    worker=imported("sandbox.app.pages.predict.prediction_worker", "PredictionWorker"),
+    worker=imported("sandbox.app.pages.predict.prediction_in_progress", "PredictionWorker"),
 )

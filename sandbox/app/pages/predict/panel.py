@@ -7,7 +7,7 @@ from pygame_gui.elements import UIButton, UIImage, UISelectionList
 from sandbox.app.drawing import theme
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.predict import card
-from sandbox.app.pages.predict.prediction_worker import PredictionWorker
+from sandbox.app.pages.predict.prediction_in_progress import PredictionWorker
 from sandbox.app.pages.predict.questions import questions, unit_of, when
 from sandbox.app.widgets.scrolling_area import Sheet, below
 from sandbox.app.widgets.text_field import TextField

@@ -10,8 +10,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Path
-from sandbox.physics.contacts.direct.drifts.flush_surfaces import carries_on
 from sandbox.physics.contacts.direct.drifts.subdrift_records import Subdrift
+from sandbox.physics.contacts.direct.drifts.tripping_at_flush_edges import carries_on
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.prediction.side_end_geometry import EndCrossing
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
