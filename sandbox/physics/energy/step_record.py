@@ -56,6 +56,9 @@ class StepRecord(NamedTuple):
     """The events in its drift; None if there were none."""
     divided_drift: "DividedDrift | None" = None
     """The parts of its drift, if it was taken in parts; else None."""
+    belated_change: Array | None = None
+    """(n, 3), the changes of velocities at the beginning of the last kick that make up for what
+    forces did differently before it [m/s, rad/s]; None if there are none."""
     velocity_jump: Array | None = None
     """(n, 3), the jumps of velocity in sequential impacts [m/s, rad/s]; None without."""
 

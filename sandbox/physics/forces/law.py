@@ -47,10 +47,10 @@ def exert(law: Law, motion: Motion, wrench: Array) -> None:
     """Add what a law does in a kick in which it sees a motion, and its `path` if it has one."""
     law.add(motion, wrench)
     if isinstance(motion, Reading) and motion.path:
-        make_up(law, motion, wrench)
+        add_belated(law, motion, wrench)
 
 
-def make_up(law: Law, motion: Reading, wrench: Array) -> None:
+def add_belated(law: Law, motion: Reading, wrench: Array) -> None:
     """Add what a law makes up for along the path of a motion."""
     if not law.effect.depends_on_velocity:
         return

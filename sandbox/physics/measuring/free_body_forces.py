@@ -33,8 +33,7 @@ from sandbox.physics.contacts.coefficients.static_friction import BreakawayImpul
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.space_arrays import Contacts
 from sandbox.physics.forces.declared_laws import laws_by_entry
-from sandbox.physics.forces.law import Law, LawInputs, exert
-from sandbox.physics.forces.velocity_rotation import mean_acceleration
+from sandbox.physics.forces.law import Law, LawInputs
 from sandbox.physics.joints.joint_forces import pulls_on
 from sandbox.physics.measuring.contact_forces import (
     ContactForce,
@@ -44,7 +43,7 @@ from sandbox.physics.measuring.contact_forces import (
 )
 from sandbox.physics.measuring.free_body import HAND, IMPACT, AppliedForce, FreeBody
 from sandbox.physics.state.joint_anchors import Anchor
-from sandbox.physics.state.motion import Instant, Motion, Reading
+from sandbox.physics.state.motion import Instant, Motion
 from sandbox.physics.stepping.world import World
 
 
@@ -128,8 +127,6 @@ class FreeBodies:
             own_name = getattr(entry, "name", None) or ""
             yield self._by_law(kick, law, arm)._replace(by=own_name)
         if (turning := kick.step.turning_acceleration) is not None:
-            if isinstance(kick.law_motion, Reading):
-                turning = turning + mean_acceleration(scene.rotations, kick.law_motion.path)
             x, y = (kick.mass * turning[row]).tolist()
             name = ", ".join(turn.effect.shown_force_name for turn in scene.rotations)
             yield AppliedForce(name, "", (x, y), center)
@@ -147,7 +144,7 @@ class FreeBodies:
 
     def _by_law(self, kick: "_Kick", law: Law, arm: XY | None) -> AppliedForce:
         wrench = np.zeros((len(self._names), 3))
-        exert(law, kick.law_motion, wrench)
+        law.add(kick.law_motion, wrench)
         x, y, torque = wrench[kick.row].tolist()
         return AppliedForce.of(law.effect.shown_force_name, "", (x, y), torque, kick.center, arm)
 
@@ -241,7 +238,10 @@ def _accelerations(step: StepRecord, row: int, *, is_constrained: bool) -> Array
     if step.post_kick_velocity is None or (step.composed and is_constrained):
         now = step.snapshot
         return np.append(now.acceleration[row], now.angular_acceleration[row])
-    return (step.post_kick_velocity[row] - step.pre_kick_velocity[row]) / step.parts[-1].kick
+    change = step.post_kick_velocity[row] - step.pre_kick_velocity[row]
+    if step.belated_change is not None:
+        change = change - step.belated_change[row]
+    return change / step.parts[-1].kick
 
 
 def _lever_arm(point: XY, kick: _Kick) -> XY:

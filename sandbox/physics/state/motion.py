@@ -60,8 +60,8 @@ class Reading:
 
     `state`, (n, 6), has x, y, angle, and their rates of change [m, rad, m/s, rad/s] at a time
     t [s]. `path` are motions with other velocities, and their weights, which add up to 0. They
-    say what forces that depend on velocities did differently where impacts changed these since the
-    last kick; this kick makes up for that at its beginning.
+    say what forces that depend on velocities did differently where impacts changed these in the
+    last kick, or since; this kick makes up for that at its beginning.
     """
 
     __slots__ = ("path", "state", "t")

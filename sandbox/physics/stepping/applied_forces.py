@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.space_arrays import Integers
-from sandbox.physics.forces.law import make_up
+from sandbox.physics.forces.law import add_belated
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.scene.make_scene import Scene
 from sandbox.physics.state.kick_context import Kick
@@ -54,7 +54,7 @@ class Forces:
         self.turning_acceleration: Array | None = None
         self.law_motion: Reading | None = None
         self._struck: ImpactOutcome | None = None  # the impacts in the last kick
-        self._made_up: Array | None = None  # (n, 3), the mean force that makes up for a path
+        self._belated: Array | None = None  # (n, 3), the mean force that makes up for a path
 
     @property
     def acts(self) -> bool:
@@ -92,8 +92,8 @@ class Forces:
         if self._extrapolates:
             self._previous_velocity = self._previous_velocity + jump
 
-    def strike(self, impacts: "ImpactOutcome") -> None:
-        """Note the impacts in the last kick, so that the next one makes up for them."""
+    def shift_by_impacts(self, impacts: "ImpactOutcome") -> None:
+        """Add the jumps of velocities in the impacts of the last kick, which the next one sees."""
         if self._extrapolates and np.count_nonzero(impacts.struck):
             self.shift(impacts.jump)
             self._struck = impacts
@@ -101,12 +101,14 @@ class Forces:
     @contextmanager
     def trial(self) -> Iterator[None]:
         """Restore the state of the last kick after trial kicks."""
-        saved = self._previous_velocity, self.law_motion, self._wrench, self._struck
+        saved = self._previous_velocity, self.law_motion, self._wrench
+        noted = self._struck, self._belated
         self._wrench = self._wrench.copy()
         try:
             yield
         finally:
-            self._previous_velocity, self.law_motion, self._wrench, self._struck = saved
+            self._previous_velocity, self.law_motion, self._wrench = saved
+            self._struck, self._belated = noted
 
     def acceleration_with_hand(self, dt: float) -> Array:
         """Return the accelerations in a kick of a length [s], including the hand's: (n, 3)."""
@@ -114,13 +116,18 @@ class Forces:
             return self.law_acceleration
         return self.law_acceleration + self.hand.pull(self._batch.velocity(), self._inverse, dt)
 
-    def made_up(self, length: float) -> Array | None:
+    def belated_change(self, length: float) -> Array | None:
         """Return the changes of velocities at the beginning of the last kick, (n, 3) [m/s, rad/s].
 
         They make up for what forces did differently before it, see `Reading.path`; None if there is
         nothing to make up for. `length` is the length of the kick [s].
         """
-        return None if self._made_up is None else self._made_up * self._inverse_mass * length
+        return None if self._belated is None else self._belated * self._inverse_mass * length
+
+    def after_belated_change(self, velocity: Array, length: float) -> Array:
+        """Return velocities before the last kick, (n, 3), with the changes at its beginning."""
+        belated = self.belated_change(length)
+        return velocity if belated is None else velocity + belated
 
     def apply(self, kick: Kick) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
@@ -138,25 +145,27 @@ class Forces:
         wrench.fill(0.0)
         for law in self._laws:
             law.add(reading, wrench)
-        self._made_up = self._made_up_wrench(reading) if reading.path else None
+        self._belated = self._belated_wrench(reading) if reading.path else None
+        if (belated := self.belated_change(kick.length)) is not None:
+            self.shift(belated)
         if constraint_change is not None:
             self._add_rotation(reading, wrench, constraint_change, kick.length)
-        if self._made_up is not None:
-            wrench = wrench + self._made_up
+        if self._belated is not None:
+            wrench = wrench + self._belated
         if self._warm_started:
             wrench = wrench.copy()
             self._warm_started.warm_start(wrench)
         self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
 
-    def _made_up_wrench(self, reading: Reading) -> Array:
+    def _belated_wrench(self, reading: Reading) -> Array:
         """Return the mean force in a kick that makes up for the path of a motion: (n, 3)."""
         wrench = np.zeros_like(self._wrench)
         for law in self._laws:
-            make_up(law, reading, wrench)
+            add_belated(law, reading, wrench)
         if self._turns:
             from sandbox.physics.forces.velocity_rotation import mean_acceleration
 
-            wrench[:, :2] += self._mass[:, None] * mean_acceleration(self._turns, reading.path)
+            wrench[:, :2] += self._moving(mean_acceleration(self._turns, reading.path))
         return wrench
 
     def _constraint_change(self, kick: Kick) -> Array:
@@ -170,8 +179,6 @@ class Forces:
             change = self._direct.expected_change
         else:
             change = self._batch.velocity() - self._previous_velocity
-            if (made_up := self.made_up(kick.length)) is not None:
-                change -= made_up
         return (change - self.law_acceleration * kick.length)[:, :2]
 
     def _add_rotation(
@@ -183,8 +190,6 @@ class Forces:
         self.turning_rates = rotation_rates(self._turns, reading)
         velocity = self._previous_velocity[:, :2] if self._extrapolates else reading.velocity
         inverse_mass = self._inverse_mass[:, :2]
-        if (made_up := self.made_up(length)) is not None:
-            velocity = velocity + made_up[:, :2]
         others = (
             self._base_acceleration[:, :2]
             + wrench[:, :2] * inverse_mass
@@ -193,9 +198,14 @@ class Forces:
         self.turning_acceleration = acceleration = turning_acceleration(
             self.turning_rates, velocity, others, length
         )
-        wrench[:, :2] += np.divide(
-            acceleration, inverse_mass, out=np.zeros_like(acceleration), where=inverse_mass > 0
-        )
+        wrench[:, :2] += self._moving(acceleration)
+
+    def _moving(self, acceleration: Array | float) -> Array:
+        """Return the forces that give bodies an acceleration, (n, 2) [m/s²], at present: (n, 2)."""
+        inverse_mass = self._inverse_mass[:, :2]
+        forces: Array = np.zeros_like(inverse_mass)
+        np.divide(acceleration, inverse_mass, out=forces, where=inverse_mass > 0)
+        return forces
 
     def _read(self, kick: Kick) -> Reading:
         """Return the motion that the laws see in a kick.

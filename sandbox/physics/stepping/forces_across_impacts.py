@@ -13,19 +13,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.space_arrays import Booleans
 from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drifts.fallback_subdivision import DividedDrift
+    from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 
 
 def weighted_motions(
     last: Reading,
     now: Reading,
     dt: float,
-    struck: ImpactOutcome | None,
+    struck: "ImpactOutcome | None",
     landed: "DividedDrift | None",
 ) -> tuple[tuple[float, Reading], ...]:
     """Return the motions that the next kick is to see besides `now`, and their weights.
@@ -35,19 +35,21 @@ def weighted_motions(
     at the place and time of `now`. The weights add up to 0, so they cancel for whatever does not
     depend on velocities. A body without impacts has the velocity of `now` in all of them.
     """
-    hit = np.zeros(len(now.state), dtype=bool) if landed is None else landed.reached
-    given = last.state[:, 3:]
-    begun = given if struck is None else np.where(struck.struck[:, None], struck.velocity, given)
-    nodes = [(0.0, begun), *(_within(landed, dt) if landed else ()), (dt, now.state[:, 3:])]
-    times = np.array([time for time, _ in nodes])
-    weights = [*(np.convolve(np.diff(times), (0.5, 0.5)) / dt).tolist(), -0.5, -0.5]
-    velocities = [*(velocity for _, velocity in nodes), given, now.state[:, 3:]]
-    collided = hit if struck is None else hit | struck.struck
-    reached = [collided, *(hit for _ in nodes[1:]), collided, hit]
-    return tuple(
-        (weight, _with_velocity(now, velocity, some))
-        for weight, velocity, some in zip(weights, velocities, reached, strict=True)
-    )
+    given, coming = last.state[:, 3:], now.state[:, 3:]
+    begun, hit = given, np.zeros(len(now.state), dtype=bool)
+    motions: list[tuple[float, tuple[Array, Booleans]]] = []
+    if struck is not None:
+        begun = np.where(struck.struck[:, None], struck.velocity, given)
+    if landed is not None:
+        hit = landed.reached
+        nodes = [(0.0, begun), *_within(landed, dt), (dt, coming)]
+        times = np.array([time for time, _ in nodes])
+        weights = (np.convolve(np.diff(times), (0.5, 0.5)) / dt).tolist()
+        motions += [(weight, (at[1], hit)) for weight, at in zip(weights, nodes, strict=True)]
+        motions += [(-0.5, (given, hit)), (-0.5, (coming, hit))]
+    if struck is not None and (only := struck.struck & ~hit).any():
+        motions += [(0.5, (begun, only)), (-0.5, (given, only))]
+    return tuple((weight, _with_velocity(now, *seen)) for weight, seen in motions)
 
 
 def _within(landed: "DividedDrift", dt: float) -> Sequence[tuple[float, Array]]:

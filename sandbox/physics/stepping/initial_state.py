@@ -36,8 +36,7 @@ def _half_kick(setup: Setup, plugins: Plugins, observer: Observer, velocity: Arr
         post_kick_velocity, direct = kicks.begin(duration, velocity), scene.direct
         if direct and direct.drifts.post_kick_velocity is not None:
             post_kick_velocity = direct.drifts.post_kick_velocity
-        impacts = scene.sequence or direct
-        pre_kick_velocity = velocity + impacts.last.jump if impacts else velocity
+        pre_kick_velocity = velocity + scene.sequence.last.jump if scene.sequence else velocity
         acceleration = (post_kick_velocity - pre_kick_velocity) / duration
         for started in plugins.started:
             if (refined := started(pre_kick_velocity, acceleration)) is not None:
@@ -51,5 +50,7 @@ def _half_kick(setup: Setup, plugins: Plugins, observer: Observer, velocity: Arr
             kicks.settle(0, velocity, kicks.clock.dt, kicks.clock.dt)
             scene.batch.set_velocity(post_kick_velocity)
     scene.joints.time(kicks.clock.dt, kicks.clock.dt)
+    if direct:
+        pre_kick_velocity = pre_kick_velocity + direct.last.jump
     forces.start(pre_kick_velocity, post_kick_velocity)
     return Observation(kicks.clock.steps, snapshot, contacts, velocity, None)

@@ -18,9 +18,9 @@ def branch(world: World, values: Values) -> World:
     """Make a world that continues from the state of another, with other parameters.
 
     The time step stays the same, and the other world is not changed. With equal parameters the two
-    runs differ only by rounding, and by the warm start of solvers. Raises `SandboxError` if a
-    changed parameter cannot change during a run, and `SimulationError` if the world cannot continue
-    from there.
+    runs differ only by rounding, by the warm start of solvers and, where forces depend on
+    velocities, to second order. Raises `SandboxError` if a changed parameter cannot change during a
+    run, and `SimulationError` if the world cannot continue from there.
     """
     changed = [name for name in values if values[name] != world.values[name]]
     if changed and (why := obstacle(world.level, changed)):

@@ -97,17 +97,17 @@ class DirectSolver:
             self._build.contacts, self._pushed = kick.contacts_with(total), None
         return self._build.contacts
 
-    def begin(self, acceleration: Array, made_up: Array | None = None, *, start: bool) -> None:
+    def begin(self, acceleration: Array, belated: Array | None = None, *, start: bool) -> None:
         """Record the velocities before a kick, and the accelerations in it.
 
-        `acceleration`, (n, 3), is by gravity and force laws [m/s², rad/s²]; `made_up`, (n, 3), is
-        added to the velocities first [m/s, rad/s]. The first kick `start`s at its step.
+        `acceleration`, (n, 3), is by gravity and force laws [m/s², rad/s²]; `belated`, (n, 3), is
+        added to the velocities first [m/s, rad/s]. `start`: this is the first, begun at its step.
         """
         if start and self._starts:  # it is repeated, and its crowd is known
             self.drifts.forget()
         else:
             self._build.corrects, self._crowd = True, None
-        self._pre_kick = self.velocity() if made_up is None else self.velocity() + made_up
+        self._pre_kick = self.velocity() if belated is None else self.velocity() + belated
         self._acceleration, self._starts = acceleration, start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 

@@ -12,12 +12,17 @@ def make(setup: Setup) -> Plugin:
     assert direct
 
     def begin(kick: Kick) -> None:
-        made_up = forces.made_up(kick.length)
-        direct.begin(forces.acceleration_with_hand(dt), made_up, start=kick.at_step)
+        belated = forces.belated_change(kick.length)
+        direct.begin(forces.acceleration_with_hand(dt), belated, start=kick.at_step)
 
     def solve(kick: Kick) -> None:
         direct.solve(kick.until)
-        forces.strike(direct.last)
+
+    solve_once_borne = bearing(setup, solve)
+
+    def finish(kick: Kick) -> None:
+        solve_once_borne(kick)
+        forces.shift_by_impacts(direct.last)
 
     def refit(_t: float) -> None:
         direct.forget()
@@ -28,7 +33,7 @@ def make(setup: Setup) -> Plugin:
 
     return Plugin(
         in_kick=begin,
-        after_kick=bearing(setup, solve),
+        after_kick=finish,
         refit=refit,
         record=record,
         contacts=lambda: direct.drifts.separated_contacts.followed_by(direct.contacts),

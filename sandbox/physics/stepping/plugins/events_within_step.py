@@ -130,7 +130,8 @@ class EventPlugin:
     def _velocity_before_kick(self) -> Array:
         """Return the velocities before the last kick: (n, 3) [m/s, rad/s]."""
         drifted = self._scene.direct.drifts.drift_before if self._scene.direct else None
-        return drifted.pre_kick_velocity if drifted else self._pre_kick_velocity
+        before = drifted.pre_kick_velocity if drifted else self._pre_kick_velocity
+        return self._forces.after_belated_change(before, self._dt)
 
     def _undivided(self, state: Array, before: Array) -> tuple[Part, Booleans]:
         """Return the coming drift without events and landings, given states (n, 6).
