@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 from pymunk.batch import BodyFields, Buffer, get_space_bodies
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.private_handles import Pair, Table, pair_of
+from sandbox.physics.engine.private_handles import Table
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.arbiters import Arbiters
+    from sandbox.physics.engine.pairs_of_bodies import Pair
 
 _VELOCITY = BodyFields.VELOCITY | BodyFields.ANGULAR_VELOCITY
 _FORCE = BodyFields.FORCE | BodyFields.TORQUE
@@ -134,8 +135,10 @@ class Batch:
         self.solved_by_pymunk = True  # or its impulses at contacts mean nothing, and are 0 here
         self._last_contacts = NO_CONTACTS
 
-    def pair(self, a: int | None, b: int | None) -> Pair:
+    def pair(self, a: int | None, b: int | None) -> "Pair":
         """Return access to two bodies only; None is the plane itself."""
+        from sandbox.physics.engine.pairs_of_bodies import pair_of
+
         one, other = (self._space.static_body if i is None else self._bodies[i] for i in (a, b))
         return pair_of(one, other)
 

@@ -27,7 +27,7 @@ import pymunk
 
 from sandbox.model.shapes import XY
 from sandbox.model.translatable_message import Message
-from sandbox.physics.engine.private_handles import pair_of
+from sandbox.physics.engine.pairs_of_bodies import pair_of
 from sandbox.physics.state.kick_context import Kick
 from sandbox.physics.state.simulation_errors import JointFailure
 

@@ -5,7 +5,7 @@ from itertools import permutations, product
 import pymunk
 import pytest
 
-from sandbox.physics.engine.private_handles import Pair, PairWithFixed, WholeSpace, pair_of
+from sandbox.physics.engine.pairs_of_bodies import Pair, PairWithFixed, WholeSpace, pair_of
 
 KINDS = [pymunk.Body.DYNAMIC, pymunk.Body.KINEMATIC, pymunk.Body.STATIC]
 
