@@ -106,8 +106,8 @@ class Ledger:
         self._opens_early = False
         self._book_overlap_correction(before)
         after = self._coming_velocity()
-        t = step.t if step.law_motion is None else float(step.law_motion.t)
         law_motion = step.law_motion or self._motion_at(0.0, before)
+        t = float(law_motion.t)
         motion = step.snapshot.position, before, self._mechanics.inertia(t)
         moment = KickRecord(t, step.dt, law_motion, *motion, step.turning_acceleration)
         self._book_matter_flows(t, before, after)

@@ -28,7 +28,9 @@ class Forces:
     velocities before a kick are half a step old. `law_motion` is the motion that the laws saw in
     the last kick; None without laws, or before it. `hand` is the hand that grabs bodies; None until
     one has. `turning_rates`, (n,) [rad/s], and `turning_acceleration`, (n, 2) [m/s²], are how the
-    last kick rotated velocities; None if nothing did.
+    last kick rotated velocities; None if nothing did. `belated_change`, (n, 3), is added to the
+    velocities at the beginning of the last kick, to make up for what forces did differently before
+    it, see `Reading.path` [m/s, rad/s]; None if there is nothing to make up for.
     """
 
     def __init__(self, scene: Scene, warm_started: "ExactJoints | None", *, leapfrog: bool) -> None:
@@ -54,7 +56,7 @@ class Forces:
         self.turning_acceleration: Array | None = None
         self.law_motion: Reading | None = None
         self._struck: ImpactOutcome | None = None  # the impacts in the last kick
-        self._belated: Array | None = None  # (n, 3), the mean force that makes up for a path
+        self.belated_change: Array | None = None
 
     @property
     def acts(self) -> bool:
@@ -102,13 +104,13 @@ class Forces:
     def trial(self) -> Iterator[None]:
         """Restore the state of the last kick after trial kicks."""
         saved = self._previous_velocity, self.law_motion, self._wrench
-        noted = self._struck, self._belated
+        noted = self._struck, self.belated_change
         self._wrench = self._wrench.copy()
         try:
             yield
         finally:
             self._previous_velocity, self.law_motion, self._wrench = saved
-            self._struck, self._belated = noted
+            self._struck, self.belated_change = noted
 
     def acceleration_with_hand(self, dt: float) -> Array:
         """Return the accelerations in a kick of a length [s], including the hand's: (n, 3)."""
@@ -116,18 +118,9 @@ class Forces:
             return self.law_acceleration
         return self.law_acceleration + self.hand.pull(self._batch.velocity(), self._inverse, dt)
 
-    def belated_change(self, length: float) -> Array | None:
-        """Return the changes of velocities at the beginning of the last kick, (n, 3) [m/s, rad/s].
-
-        They make up for what forces did differently before it, see `Reading.path`; None if there is
-        nothing to make up for. `length` is the length of the kick [s].
-        """
-        return None if self._belated is None else self._belated * self._inverse_mass * length
-
-    def after_belated_change(self, velocity: Array, length: float) -> Array:
+    def after_belated_change(self, velocity: Array) -> Array:
         """Return velocities before the last kick, (n, 3), with the changes at its beginning."""
-        belated = self.belated_change(length)
-        return velocity if belated is None else velocity + belated
+        return velocity if self.belated_change is None else velocity + self.belated_change
 
     def apply(self, kick: Kick) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
@@ -145,13 +138,15 @@ class Forces:
         wrench.fill(0.0)
         for law in self._laws:
             law.add(reading, wrench)
-        self._belated = self._belated_wrench(reading) if reading.path else None
-        if (belated := self.belated_change(kick.length)) is not None:
-            self.shift(belated)
+        belated = self._belated_wrench(reading) if reading.path else None
+        self.belated_change = None
+        if belated is not None:
+            self.belated_change = belated * self._inverse_mass * kick.length
+            self.shift(self.belated_change)
         if constraint_change is not None:
             self._add_rotation(reading, wrench, constraint_change, kick.length)
-        if self._belated is not None:
-            wrench = wrench + self._belated
+        if belated is not None:
+            wrench = wrench + belated
         if self._warm_started:
             wrench = wrench.copy()
             self._warm_started.warm_start(wrench)

@@ -56,7 +56,7 @@ class Observer:
             direct and direct.drifts.post_kick_velocity is not None
         ):  # landing bodies have changed them since
             state[:, 3:] = direct.drifts.post_kick_velocity
-        begun = self._forces.after_belated_change(pre_kick_velocity, self._kicks.clock.dt)
+        begun = self._forces.after_belated_change(pre_kick_velocity)
         rates = self._rates(state, begun, contacts)
         if (impacts := self._plugins.impacts) and (found := impacts()):
             from sandbox.physics.events.impact_response import as_contacts
@@ -93,7 +93,7 @@ class Observer:
             parts=kicks.parts,
             trail=kicks.trail or (),
             hold=forces.hand.hold if forces.hand else None,
-            belated_change=forces.belated_change(kicks.clock.dt),
+            belated_change=forces.belated_change,
         )
         for add in self._plugins.record:
             record = add(record)

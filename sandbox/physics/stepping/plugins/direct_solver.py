@@ -12,8 +12,8 @@ def make(setup: Setup) -> Plugin:
     assert direct
 
     def begin(kick: Kick) -> None:
-        belated = forces.belated_change(kick.length)
-        direct.begin(forces.acceleration_with_hand(dt), belated, start=kick.at_step)
+        acceleration = forces.acceleration_with_hand(dt)
+        direct.begin(acceleration, forces.belated_change, start=kick.at_step)
 
     def solve(kick: Kick) -> None:
         direct.solve(kick.until)

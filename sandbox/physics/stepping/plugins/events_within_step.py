@@ -131,7 +131,7 @@ class EventPlugin:
         """Return the velocities before the last kick: (n, 3) [m/s, rad/s]."""
         drifted = self._scene.direct.drifts.drift_before if self._scene.direct else None
         before = drifted.pre_kick_velocity if drifted else self._pre_kick_velocity
-        return self._forces.after_belated_change(before, self._dt)
+        return self._forces.after_belated_change(before)
 
     def _undivided(self, state: Array, before: Array) -> tuple[Part, Booleans]:
         """Return the coming drift without events and landings, given states (n, 6).
