@@ -13,7 +13,7 @@ import typer
 
 from sandbox import interrupts
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import check_writable
+from sandbox.model.atomic_file_writing import check_writable
 from sandbox.model.errors import MisuseError, SandboxError, brief
 from sandbox.optional_packages import needed_for
 from validation import case_suite, output

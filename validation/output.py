@@ -19,7 +19,7 @@ from rich.console import Console
 from rich.table import Table
 
 from sandbox import progress_bar
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.parallel_processes import spread
 from sandbox.version import __version__
 

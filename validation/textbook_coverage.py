@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from sandbox import program
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import generate, write_atomically
+from sandbox.model.atomic_file_writing import generate, write_atomically
 from sandbox.model.loading import load
 
 PAGE = Path("docs") / "reference" / "chapter.md"

@@ -10,7 +10,7 @@ from typing import Literal
 
 from sandbox.app.runs.run_file import Run
 from sandbox.app.words.language import later, say
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.errors import SandboxError
 
 Kind = Literal["gif", "mp4"]

@@ -14,7 +14,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Change
 from sandbox.app.window_keys import WHILE_TYPING
 from sandbox.app.words.language import say
-from sandbox.model.atomic_file_access import without_links
+from sandbox.model.atomic_file_writing import without_links
 from sandbox.model.errors import SandboxError
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)

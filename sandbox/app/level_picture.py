@@ -21,7 +21,7 @@ from sandbox.app.stage import run_legend
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import say
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.levels_with_changed_effects import Variation

@@ -29,7 +29,7 @@ from sandbox.app.words import language
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_translation import title_of_level
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import without_links
+from sandbox.model.atomic_file_writing import without_links
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, load

@@ -16,7 +16,7 @@ from sandbox.app.runs.run_start import begin
 from sandbox.app.runs.session import Session
 from sandbox.app.window import RATE, Window
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import without_links
+from sandbox.model.atomic_file_writing import without_links
 from sandbox.model.errors import SandboxError
 from sandbox.model.translatable_message import Message
 

@@ -14,7 +14,7 @@ from sandbox.cli import argument_parsing
 from sandbox.cli.render import go_headless
 from sandbox.cli.text_columns import aligned
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import check_writable, write_atomically
+from sandbox.model.atomic_file_writing import check_writable, write_atomically
 
 if TYPE_CHECKING:
     from sandbox.app.window_benchmark import Timing

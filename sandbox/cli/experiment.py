@@ -15,7 +15,7 @@ from sandbox import parallel_processes
 from sandbox.cli import argument_parsing
 from sandbox.cli.accuracy_option import Choice, settled
 from sandbox.cli.argument_parsing import UsageError
-from sandbox.model.atomic_file_access import folder_of_files
+from sandbox.model.atomic_file_writing import folder_of_files
 from sandbox.model.errors import MisuseError, SandboxError, brief
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose

@@ -6,7 +6,7 @@ import typer
 
 from sandbox.cli.argument_parsing import levels
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.model.level_writing import formatted
 from sandbox.model.loading import parse, read

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import typer
 
-from sandbox.model.atomic_file_access import check_writable, write_atomically
+from sandbox.model.atomic_file_writing import check_writable, write_atomically
 from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
 from sandbox.model.many_body_level_generator import crowd

@@ -7,7 +7,7 @@ import typer
 
 from sandbox.cli import argument_parsing
 from sandbox.model import level_catalog, templates
-from sandbox.model.atomic_file_access import check_writable, without_links, write_atomically
+from sandbox.model.atomic_file_writing import check_writable, without_links, write_atomically
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import LevelError, brief
 from sandbox.model.level_writing import with_schema

@@ -10,7 +10,7 @@ import typer
 from sandbox.cli import argument_parsing
 from sandbox.cli.accuracy_option import asking, find_out
 from sandbox.cli.effect_options import vary
-from sandbox.model.atomic_file_access import check_writable
+from sandbox.model.atomic_file_writing import check_writable
 from sandbox.model.loading import choose
 
 

@@ -11,7 +11,7 @@ from sandbox.app.words import formatting as telling
 from sandbox.cli import argument_parsing, check_report, effect_options
 from sandbox.cli.accuracy_option import Choice, asking, settled
 from sandbox.cli.effect_options import Varied, vary
-from sandbox.model.atomic_file_access import check_writable, write_atomically
+from sandbox.model.atomic_file_writing import check_writable, write_atomically
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose

@@ -14,7 +14,7 @@ from sandbox.cli import argument_parsing, check_report
 from sandbox.cli.render import go_headless
 from sandbox.cli.tour_visit import Visit, visit
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import folder_of_files, write_atomically
+from sandbox.model.atomic_file_writing import folder_of_files, write_atomically
 from sandbox.model.errors import SandboxError
 
 _STYLE = """

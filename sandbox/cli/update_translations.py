@@ -21,7 +21,7 @@ from sandbox.app.words import language, level_translation
 from sandbox.app.words.level_translation import words_of_name
 from sandbox.model import level_catalog
 from sandbox.model.annotated_field_search import prose
-from sandbox.model.atomic_file_access import generate, write_atomically
+from sandbox.model.atomic_file_writing import generate, write_atomically
 from sandbox.model.loading import load
 from sandbox.optional_packages import needed_for
 

@@ -15,7 +15,7 @@ import typer
 from sandbox import program
 from sandbox.cli.commands import app
 from sandbox.model import joints, level_catalog, quantities
-from sandbox.model.atomic_file_access import generate, write_atomically
+from sandbox.model.atomic_file_writing import generate, write_atomically
 from sandbox.model.effects import EFFECTS
 from sandbox.model.loading import parse
 from sandbox.model.write_json_schema import schema

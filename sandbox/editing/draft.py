@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sandbox.model import templates
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import content, decoded, parse, read

@@ -10,8 +10,9 @@ from typing import Annotated
 from pydantic import BaseModel, Field, ValidationError
 
 from sandbox.editing.draft import Draft
-from sandbox.model.atomic_file_access import data_folder, read_ordinary
+from sandbox.model.atomic_file_writing import data_folder
 from sandbox.model.errors import SandboxError
+from sandbox.model.file_reading import read_ordinary
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.model.unsaved_files import UnsavedFile, delete, leftovers
 

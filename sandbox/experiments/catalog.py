@@ -7,7 +7,7 @@ from sandbox.experiments.experiment_file import Experiment, read
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.plan_validation import make
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import without_links
+from sandbox.model.atomic_file_writing import without_links
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import LevelError, brief
 from sandbox.model.json_document import refuse

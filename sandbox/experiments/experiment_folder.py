@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING
 
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.results_table import Cell, schema
-from sandbox.model.atomic_file_access import (
+from sandbox.model.atomic_file_writing import (
     folder_of_files,
     make_folder,
-    read_ordinary,
     without_links,
     write_atomically,
 )
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.file_reading import read_ordinary
 from sandbox.model.translatable_message import Message
 from sandbox.version import __version__
 

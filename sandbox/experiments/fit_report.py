@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from sandbox.experiments.measured_data import Data
 from sandbox.experiments.parameter_estimation import Fit, Fitted
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.quantities import column_heading, quantity
 from sandbox.reporting.html_pages import environment, inline

@@ -11,7 +11,7 @@ from sandbox.experiments.experiment_folder import DESCRIPTION, RESULTS, descript
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.random_points import Method
 from sandbox.experiments.results_table import axis_unit, closed_form, error
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.reporting.html_pages import environment, inline
 

@@ -11,7 +11,7 @@ from sandbox import program
 from sandbox.experiments import catalog
 from sandbox.experiments.experiment_file import Experiment
 from sandbox.model import write_json_schema as levels
-from sandbox.model.atomic_file_access import generate, write_atomically
+from sandbox.model.atomic_file_writing import generate, write_atomically
 from sandbox.model.level_catalog import sources
 
 

@@ -1,4 +1,4 @@
-"""Reading a file that somebody has named, whatever is at its path."""
+"""Reading files, whatever is at their paths: those that somebody has named, and one's own."""
 
 import os
 import stat
@@ -33,6 +33,22 @@ def read_named(path: Path, largest: int) -> bytes:
         why = getattr(error, "strerror", None) or str(error)
         reason = Message("cannot be read: {reason}", reason=why)
     raise UnreadableError(reason)
+
+
+def read_ordinary(path: Path, largest: int) -> bytes | None:
+    """Return the content of a file that the program has written; None if it is anything else.
+
+    That is a link, a pipe or a device, or a file that is larger [bytes]. Raises `OSError` if the
+    file does not exist, or cannot be read.
+    """
+    if path.is_symlink():  # for systems without O_NOFOLLOW
+        return None
+    plain = _AT_ONCE | getattr(os, "O_NOFOLLOW", 0)
+    with open(os.open(path, os.O_RDONLY | plain), "rb") as file:
+        status = os.fstat(file.fileno())
+        if not stat.S_ISREG(status.st_mode) or status.st_size > largest:
+            return None
+        return file.read(largest)
 
 
 def _check(status: os.stat_result, largest: int) -> None:

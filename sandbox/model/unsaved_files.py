@@ -11,7 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 from uuid import uuid4
 
-from sandbox.model.atomic_file_access import lives, make_folder, write_atomically
+from sandbox.model.atomic_file_writing import lives, make_folder, write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.model.translatable_message import NOTHING, Message
 

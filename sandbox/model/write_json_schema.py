@@ -14,7 +14,7 @@ from pydantic_core import core_schema, to_jsonable_python
 
 from sandbox import program
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import generate, write_atomically
+from sandbox.model.atomic_file_writing import generate, write_atomically
 from sandbox.model.base import Model
 from sandbox.model.comments import SIGN
 from sandbox.model.expressions import Expression

@@ -70,7 +70,7 @@ def test_a_level_that_cannot_be_written_is_told(
 ) -> None:
     path = write()
     before = path.read_bytes()
-    monkeypatch.setattr("sandbox.model.atomic_file_access.os.access", lambda *_: False)
+    monkeypatch.setattr("sandbox.model.atomic_file_writing.os.access", lambda *_: False)
 
     outcome = run("format", path)
 

@@ -15,7 +15,7 @@ from sandbox.editing import draft_recovery
 from sandbox.editing.draft import Draft
 from sandbox.editing.draft_recovery import Recovery, recoverable
 from sandbox.editing.text_patches import put
-from sandbox.model import atomic_file_access, level_catalog, unsaved_files
+from sandbox.model import atomic_file_writing, level_catalog, unsaved_files
 
 
 @pytest.fixture(autouse=True)
@@ -147,7 +147,7 @@ def test_a_process_killed_at_any_moment_leaves_files_whole(
             assert found.draft().level is not None
             found.forget()
         assert not list(tmp_path.glob("drafts/*.json"))
-    assert atomic_file_access.lives(os.getpid())
+    assert atomic_file_writing.lives(os.getpid())
 
 
 @pytest.mark.parametrize("when", [-1.0, 1e300, float("nan"), float("inf")])

@@ -33,7 +33,7 @@ from sandbox.cli import commands as sandbox_commands
 from sandbox.cli import experiment, format, generate, migrate, new, render, simulate, tour  # noqa: A004, F401 (as above)
 from sandbox.experiments import batch_scheduling, experiment_folder  # noqa: F401 (as above)
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load
 from sandbox.model.translatable_message import Message

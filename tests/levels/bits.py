@@ -18,7 +18,7 @@ import scipy
 import typer
 from threadpoolctl import threadpool_info
 
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot

@@ -14,7 +14,7 @@ import pytest
 from typer.testing import CliRunner, Result
 
 import validation.output
-from sandbox.model import atomic_file_access
+from sandbox.model import atomic_file_writing
 from sandbox.model.errors import SandboxError
 from tests.elsewhere import python
 from validation.cli import app
@@ -202,7 +202,7 @@ def test_what_was_measured_is_kept_if_the_disk_gets_full(
         begun.append(path.name)
         if full_from in begun and path.parent == output:
             raise SandboxError("cannot write {path}: no space", path=path)
-        atomic_file_access.write_atomically(path, data)
+        atomic_file_writing.write_atomically(path, data)
 
     for module in (command, validation.output):
         monkeypatch.setattr(module, "write_atomically", write_atomically)

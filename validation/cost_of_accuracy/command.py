@@ -10,7 +10,7 @@ import typer
 
 from sandbox import progress_bar
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import folder_of_files
+from sandbox.model.atomic_file_writing import folder_of_files
 from sandbox.optional_packages import needed_for
 from sandbox.parallel_processes import spread
 from validation import output

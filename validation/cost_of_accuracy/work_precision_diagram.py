@@ -6,7 +6,7 @@ from pathlib import Path
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.reporting import plot_style
 from validation.cost_of_accuracy.report import LEAST
 from validation.cost_of_accuracy.scheme_and_rate_sweep import Point, Sweep

@@ -15,7 +15,7 @@ from typing import Any
 
 import typer
 
-from sandbox.model.atomic_file_access import folder_of_files, write_atomically
+from sandbox.model.atomic_file_writing import folder_of_files, write_atomically
 from validation import output
 from validation.fuzz.coverage_guided_levels import available, guided
 from validation.fuzz.isolated_trial import Trial, Tried

@@ -10,7 +10,7 @@ from time import perf_counter
 import typer
 from rich.table import Table
 
-from sandbox.model.atomic_file_access import folder_of_files, write_atomically
+from sandbox.model.atomic_file_writing import folder_of_files, write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.model.level_writing import text
 from validation import output

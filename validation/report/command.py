@@ -9,7 +9,7 @@ from pathlib import Path
 import typer
 from rich.console import Console
 
-from sandbox.model.atomic_file_access import check_writable, folder_of_files, write_atomically
+from sandbox.model.atomic_file_writing import check_writable, folder_of_files, write_atomically
 from sandbox.model.errors import MisuseError, SandboxError
 from sandbox.reporting import plot_style
 from validation.output import save

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sandbox import program
-from sandbox.model.atomic_file_access import generate, write_atomically
+from sandbox.model.atomic_file_writing import generate, write_atomically
 from sandbox.model.level_catalog import HARD, root, sources
 from sandbox.model.level_writing import text
 from sandbox.model.loading import parse

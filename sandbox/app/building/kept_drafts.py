@@ -9,7 +9,7 @@ from sandbox.app.files import save_folder
 from sandbox.editing.draft import Draft
 from sandbox.editing.draft_recovery import Recoverable, Recovery, recoverable
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import make_folder
+from sandbox.model.atomic_file_writing import make_folder
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.translatable_message import NOTHING, Message

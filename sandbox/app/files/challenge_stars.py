@@ -7,7 +7,7 @@ from pydantic import Field, TypeAdapter
 
 from sandbox.app.files import json_files
 from sandbox.app.words.language import say
-from sandbox.model.atomic_file_access import data_folder
+from sandbox.model.atomic_file_writing import data_folder
 
 _STARS = TypeAdapter(dict[str, Annotated[int, Field(ge=1, le=3)]])
 

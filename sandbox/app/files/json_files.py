@@ -8,8 +8,9 @@ from typing import TypeVar
 from pydantic import TypeAdapter, ValidationError
 
 from sandbox.app.words.language import say
-from sandbox.model.atomic_file_access import make_folder, read_ordinary, write_atomically
+from sandbox.model.atomic_file_writing import make_folder, write_atomically
 from sandbox.model.errors import SandboxError
+from sandbox.model.file_reading import read_ordinary
 
 LARGEST = 1_000_000
 """The largest file that is read [bytes]; a larger one was not written by this program."""

@@ -9,7 +9,7 @@ from sandbox.app.drawing.theme import DARK, NAMES, Name
 from sandbox.app.files import json_files
 from sandbox.app.words.language import Name as Language
 from sandbox.app.words.language import say, system_language
-from sandbox.model.atomic_file_access import data_folder
+from sandbox.model.atomic_file_writing import data_folder
 
 SIZES = (80, 90, 100, 110, 125, 150, 175, 200)
 """The sizes of text, in per cent of the standard size."""

@@ -7,7 +7,7 @@ from pydantic import TypeAdapter
 
 from sandbox.app.files import json_files
 from sandbox.app.words.language import later, say
-from sandbox.model.atomic_file_access import data_folder
+from sandbox.model.atomic_file_writing import data_folder
 
 _PATHS = TypeAdapter(list[str])
 

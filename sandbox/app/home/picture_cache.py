@@ -19,8 +19,9 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import language
-from sandbox.model.atomic_file_access import read_ordinary, without_links, write_atomically
+from sandbox.model.atomic_file_writing import without_links, write_atomically
 from sandbox.model.errors import SandboxError
+from sandbox.model.file_reading import read_ordinary
 from sandbox.model.loading import MAX_BYTES, load
 from sandbox.version import __version__
 

@@ -27,7 +27,7 @@ from sandbox.app.widgets.widget_states_and_scrolling import (
 )
 from sandbox.app.words.language import plural, say
 from sandbox.model import level_catalog
-from sandbox.model.atomic_file_access import without_links
+from sandbox.model.atomic_file_writing import without_links
 
 ROW = 28  # px
 HEADING = 34  # px

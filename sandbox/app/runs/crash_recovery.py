@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from sandbox.app.runs import run_file
 from sandbox.app.runs.session import Session
-from sandbox.model.atomic_file_access import data_folder
+from sandbox.model.atomic_file_writing import data_folder
 from sandbox.model.errors import SandboxError
 from sandbox.model.translatable_message import NOTHING, Message
 from sandbox.model.unsaved_files import UnsavedFile, delete, leftovers

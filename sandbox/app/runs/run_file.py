@@ -12,7 +12,7 @@ from pydantic_core import ErrorDetails
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model import parser_error_messages
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.file_reading import UnreadableError, read_named

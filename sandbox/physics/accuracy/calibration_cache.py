@@ -18,9 +18,10 @@ import pymunk
 from pydantic import TypeAdapter, ValidationError
 
 from sandbox import version
-from sandbox.model.atomic_file_access import make_folder, read_ordinary, write_atomically
+from sandbox.model.atomic_file_writing import make_folder, write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
+from sandbox.model.file_reading import read_ordinary
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
 from sandbox.physics.accuracy.compared_runs import Stop, never

@@ -18,7 +18,7 @@ from sandbox.app.runs import crash_recovery, run_file
 from sandbox.app.runs import session as sessions
 from sandbox.app.runs.crash_recovery import OFTEN, LeftRun, RunRecovery, left_runs
 from sandbox.app.runs.session import Session
-from sandbox.model import atomic_file_access, unsaved_files
+from sandbox.model import atomic_file_writing, unsaved_files
 from tests.app.person import Person, until
 from tests.app.runs.test_run_file import pulled
 from tests.app.scenes import opened
@@ -196,7 +196,7 @@ def test_a_window_killed_at_any_moment_loses_no_more_than_a_second(
         assert 0 < len(left.run.actions) <= actions
         assert run_file.is_same(left.run, again)
         # sweeps what was half written
-        atomic_file_access.write_atomically(tmp_path / "beside.json", "")
+        atomic_file_writing.write_atomically(tmp_path / "beside.json", "")
         left.file.unlink()
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pymunk
 import pytest
 
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest, parse

@@ -9,7 +9,7 @@ from sandbox.app.pages.experiment.background_parameter_sweep import Point
 from sandbox.app.pages.experiment.parameter_curve import CurveChoice
 from sandbox.app.pages.share.saving import path_for
 from sandbox.app.runs.session import Session
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.quantities import column_heading
 
 

@@ -10,7 +10,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words import level_translation
 from sandbox.app.words.formatting import with_unit_in_brackets
 from sandbox.app.words.language import say
-from sandbox.model.atomic_file_access import write_atomically
+from sandbox.model.atomic_file_writing import write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import TIME

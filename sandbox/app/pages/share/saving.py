@@ -11,7 +11,7 @@ import pygame
 from sandbox.app.files import save_folder
 from sandbox.app.runs import run_file
 from sandbox.app.runs.session import Session
-from sandbox.model.atomic_file_access import make_folder, write_atomically
+from sandbox.model.atomic_file_writing import make_folder, write_atomically
 from sandbox.model.errors import SandboxError
 from sandbox.model.level_writing import text
 from sandbox.model.quantities import TIME

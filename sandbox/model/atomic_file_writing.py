@@ -1,4 +1,4 @@
-"""Reading and writing files atomically."""
+"""Writing files atomically: the old content or the new one, never a part."""
 
 import errno
 import os
@@ -111,21 +111,6 @@ def without_links(path: Path) -> Path:
     `Path.resolve` raises an error if they lead in a circle.
     """
     return Path(os.path.realpath(path))
-
-
-def read_ordinary(path: Path, largest: int) -> bytes | None:
-    """Return the content of a file; None if it is a link, a pipe or a device, or too large.
-
-    Raises `OSError` if the file does not exist, or cannot be read.
-    """
-    plain = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-    if path.is_symlink():  # for systems without O_NOFOLLOW
-        return None
-    with open(os.open(path, os.O_RDONLY | plain), "rb") as file:
-        status = os.fstat(file.fileno())
-        if not stat.S_ISREG(status.st_mode) or status.st_size > largest:
-            return None
-        return file.read(largest)
 
 
 def _sweep(folder: Path) -> None:

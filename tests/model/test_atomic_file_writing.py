@@ -4,13 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.model import atomic_file_access
-from sandbox.model.atomic_file_access import (
+from sandbox.model import atomic_file_writing
+from sandbox.model.atomic_file_writing import (
     TakenError,
     check_writable,
     folder_of_files,
     make_folder,
-    read_ordinary,
     write_atomically,
 )
 from sandbox.model.errors import MisuseError, SandboxError
@@ -54,7 +53,7 @@ def test_a_write_that_breaks_off_leaves_what_was_there(
 def test_what_a_killed_process_has_begun_to_write_goes_with_the_next_file(tmp_path: Path) -> None:
     code = (
         "import os, signal; from pathlib import Path\n"
-        "from sandbox.model.atomic_file_access import *\n"
+        "from sandbox.model.atomic_file_writing import *\n"
         "Path.replace = lambda *_: os.kill(os.getpid(), signal.SIGKILL)\n"
         f"write_atomically(Path({str(tmp_path / 'file')!r}), 'half')"
     )
@@ -79,18 +78,6 @@ def test_a_link_gives_way_where_it_is_not_followed(tmp_path: Path) -> None:
 
     assert not (tmp_path / "link").is_symlink()
     assert (tmp_path / "real").read_text() == "old"
-
-
-@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
-def test_only_an_ordinary_file_of_some_size_is_read(tmp_path: Path) -> None:
-    (tmp_path / "real").write_bytes(b"x" * 10)
-    (tmp_path / "link").symlink_to(tmp_path / "real")
-    os.mkfifo(tmp_path / "pipe")
-
-    assert read_ordinary(tmp_path / "real", 10) == b"x" * 10
-    assert read_ordinary(tmp_path / "real", 9) is None
-    assert read_ordinary(tmp_path / "link", 10) is None
-    assert read_ordinary(tmp_path / "pipe", 10) is None
 
 
 def test_a_new_file_has_the_permissions_of_any_other(tmp_path: Path) -> None:
@@ -211,7 +198,7 @@ def test_a_file_stays_whose_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     (tmp_path / "file").touch()
     theirs = 4321, 1234
     # as if somebody else wrote
-    monkeypatch.setattr(atomic_file_access, "_owner", lambda _path: theirs)
+    monkeypatch.setattr(atomic_file_writing, "_owner", lambda _path: theirs)
     given = list[tuple[int, int]]()
     monkeypatch.setattr(os, "chown", lambda _path, *owner: given.append(owner))
 
@@ -232,7 +219,7 @@ def test_of_two_who_make_one_file_the_first_has_it(
         check(path, **how)
         path.write_text("theirs")
 
-    monkeypatch.setattr(atomic_file_access, "check_writable", overtaken)
+    monkeypatch.setattr(atomic_file_writing, "check_writable", overtaken)
     if not linked:  # a file system that has none
         monkeypatch.setattr(os, "link", lambda *_args, **_rest: os.stat("/nowhere"))
 
